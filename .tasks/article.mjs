@@ -15,7 +15,7 @@ const { disturbanceSlice } = await import('../www/parts/disturbance/state.js');
 const { landscapeSlice } = await import('../www/parts/landscape/state.js');
 const { landscape, remainingErrors } = await import('../www/core/headless.js');
 const { create } = await import('../www/kit/elements.js');
-const { counts, endsOfAxis, gainsAt, linearRange } = await import('../www/parts/landscape/request.js');
+const { askedOf, counts, linearRange } = await import('../www/parts/landscape/request.js');
 const { createFormula } = await import('../www/lesson/formulas/formula.js');
 const { list, paragraphs } = await import('../www/lesson/prose.js');
 const { steps } = await import('../www/lesson/steps.js');
@@ -60,11 +60,7 @@ function landscapeOf(state) {
   const { x, y, third } = landscapeSlice.of(state);
   const spec = { experiment, x, y, range: linearRange[preset], third: third ?? 0 };
   const count = Math.max(...counts);
-  const [across, up] = [x, y].map((axis) => {
-    const [from, to] = endsOfAxis(axis, spec.range);
-    return { ...axis, from, to, count };
-  });
-  const costs = landscape(experiment, { x: across, y: up, gains: gainsAt(spec, [1, 1]) });
+  const costs = landscape(experiment, askedOf(spec, count));
   return { spec, count, costs, milliseconds: 0 };
 }
 

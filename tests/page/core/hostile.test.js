@@ -7,6 +7,7 @@ import {
   callsOf,
   hostile,
   pathsOf,
+  placesIn,
   refusal,
   revoked,
   spring,
@@ -73,11 +74,7 @@ test('values of every kind that nobody thought of are refused alike', () => {
     withNullPrototype: true,
     withMap: true,
   });
-  const places = calls.flatMap(([, call, given]) =>
-    pathsOf(given)
-      .filter(({ length }) => length > 0)
-      .map((path) => /** @type {const} */ ({ call, given, path })),
-  );
+  const places = placesIn(calls);
   fc.assert(
     fc.property(fc.constantFrom(...places), anything, ({ call, given, path }, value) => {
       refusal(call, withOther(given, path, value));

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { glue, wasm } from '../harness/core.js';
 import { test } from '../harness/once.js';
-import { callsOf, hostile, pathsOf, refusal, withOther } from './hostile/calls.js';
+import { callsOf, hostile, placesIn, refusal, withOther } from './hostile/calls.js';
 
 /** An instance of its own, for what other tests have not freed takes memory too. @type {typeof import('../../../pkg/ep_locomotion.js')} */
 const core = await import(`${glue}?alone`);
@@ -45,11 +45,7 @@ test('the largest calls leave the memory under its level, and a second time wher
 });
 
 test('hostile calls leave the memory under its level, however many', () => {
-  const places = calls.flatMap(([, call, given]) =>
-    pathsOf(given)
-      .filter(({ length }) => length > 0)
-      .map((path) => /** @type {const} */ ({ call, given, path })),
-  );
+  const places = placesIn(calls);
   const count = Number(process.env.CALLS ?? 5000);
   // Every pair of a place and a value comes in turn, for the two numbers have no common divisor with the steps.
   for (let i = 0; i < count; i += 1) {

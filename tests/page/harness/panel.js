@@ -1,5 +1,8 @@
 // The panel of settings, as a person works it.
+import assert from 'node:assert/strict';
 import { Key } from './browsers.js';
+import { evolve } from './core.js';
+import { read } from './reading.js';
 
 /** @typedef {import('./browsers.js').Page} Page */
 
@@ -19,7 +22,6 @@ export async function type(page, id, text) {
 /** What a person reads about a setting. @param {Page} page @param {string} id */
 export const setting = (page, id) =>
   page.evaluate(async (name) => {
-    await new Promise((resolve) => requestAnimationFrame(resolve));
     const field = /** @type {HTMLInputElement} */ (document.getElementById(`setting-${name}`));
     const row = /** @type {HTMLElement} */ (field.closest('.setting'));
     const error = /** @type {HTMLElement} */ (row.querySelector('.field-error'));
@@ -36,7 +38,6 @@ export const setting = (page, id) =>
 /** @param {Page} page */
 export const summary = (page) =>
   page.evaluate(async () => {
-    await new Promise((resolve) => requestAnimationFrame(resolve));
     const element = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
     return {
       button: element('settings-button').innerText,
@@ -55,3 +56,9 @@ export const chord = async (page, modifiers, key) => {
   for (const modifier of modifiers) actions = actions.keyUp(modifier);
   await actions.perform();
 };
+
+/** That generation 0 of this experiment is on screen. @param {Page} page @param {import('./core.js').Experiment} from */
+export async function assertBegun(page, from) {
+  const { generation, cost, gains } = await read(page);
+  assert.deepEqual({ generation, cost, gains }, { generation: '0', ...evolve(from).shown });
+}

@@ -1,4 +1,5 @@
 // What a person reads on the page, in one look.
+import { evolve, experiment } from './core.js';
 
 /** @typedef {import('./browsers.js').Page} Page */
 /** @typedef {{ x: number, y: number, degrees: number }} PostureText */
@@ -47,6 +48,13 @@ export async function readEvolution(page) {
   const { generation, seed, cost, gains } = await read(page);
   return { generation, seed, cost, gains };
 }
+
+/** What it shows of a generation of seed 1. @param {number} generation */
+export const seedOne = (generation) => ({
+  generation: String(generation),
+  seed: '1',
+  ...evolve(experiment('velocity-limits'), generation).shown,
+});
 
 /** Waits until the robots' clock shows their final time. @param {Page} page */
 export const arrival = (page) =>
@@ -135,9 +143,7 @@ export const pixelsOf = (page, selector, token) =>
 
 /** What a student sees and hears of some controls. @param {Page} page @param {...string} selectors */
 export const waysOf = (page, ...selectors) =>
-  page.evaluate(async (wanted) => {
-    // What was pressed last may still have to be drawn.
-    for (let frame = 0; frame < 2; frame += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
+  page.evaluate((wanted) => {
     const reason = document.getElementById('exercise-locks')?.textContent ?? '';
     return wanted.map((selector) => {
       const element = document.querySelector(selector);

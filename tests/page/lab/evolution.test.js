@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment, glue, shown, simulate, wasm } from '../harness/core.js';
-import { arrival, read, readEvolution } from '../harness/reading.js';
+import { arrival, read, readEvolution, seedOne } from '../harness/reading.js';
 import { serve } from '../harness/server.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -69,14 +69,8 @@ pageTest('Run goes on by itself until Pause, however long that is pressed', asyn
 engineTest(
   'generation 20 of a seed is the same whether it ran or was stepped, here and in Node',
   async (page) => {
-    /** @param {number} generation */
-    const expected = (generation) => ({
-      generation: String(generation),
-      seed: '1',
-      ...evolve(velocityLimits, generation).shown,
-    });
     const first = await readEvolution(page);
-    assert.deepEqual(first, expected(0));
+    assert.deepEqual(first, seedOne(0));
 
     await inNoHurry(page);
     await page.click('#run');
@@ -85,12 +79,12 @@ engineTest(
     const ran = Number((await read(page)).generation);
     const end = Math.max(20, ran);
     await step(page, end - ran);
-    assert.deepEqual(await readEvolution(page), expected(end));
+    assert.deepEqual(await readEvolution(page), seedOne(end));
 
     await page.click('#reset');
     assert.deepEqual(await readEvolution(page), first);
     await step(page, end);
-    assert.deepEqual(await readEvolution(page), expected(end));
+    assert.deepEqual(await readEvolution(page), seedOne(end));
   },
 );
 

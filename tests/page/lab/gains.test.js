@@ -42,7 +42,6 @@ async function type(page, id, text) {
 /** What is said about a gain's field once it is drawn, and whether it is said beside it. @param {Page} page @param {string} gain */
 const complaint = (page, gain) =>
   page.evaluate(async (id) => {
-    await new Promise((resolve) => requestAnimationFrame(resolve));
     const [field, message] = [`gain-${id}`, `gain-${id}-error`].map((one) => document.getElementById(one));
     if (!field || !message) throw new Error(`${id} has no field or no message`);
     const [at, said] = [field, message].map((one) => one.getBoundingClientRect());

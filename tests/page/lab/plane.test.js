@@ -181,7 +181,6 @@ pageTest('start and goal stay within reach when they are dragged out of the plan
   /** @param {string} id */
   const isInReach = (id) =>
     page.evaluate(async (name) => {
-      await new Promise((resolve) => requestAnimationFrame(resolve));
       const [plane, handle] = ['plane', name].map((one) => document.getElementById(one));
       if (!plane || !handle) throw new Error(`no ${name}`);
       const [around, box] = [plane, handle].map((element) => element.getBoundingClientRect());

@@ -1,18 +1,11 @@
 import assert from 'node:assert/strict';
 import { Key, pageTest } from '../harness/browsers.js';
 import { Evolution, evolve, experiment } from '../harness/core.js';
-import { readEvolution } from '../harness/reading.js';
+import { readEvolution, seedOne } from '../harness/reading.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
 const velocityLimits = experiment('velocity-limits');
-
-/** What the page shows of a generation of seed 1. @param {number} generation */
-const expected = (generation) => ({
-  generation: String(generation),
-  seed: '1',
-  ...evolve(velocityLimits, generation).shown,
-});
 
 /** Presses a button by the keyboard. @param {Page} page @param {string} id @param {number} times */
 async function press(page, id, times) {
@@ -52,23 +45,23 @@ pageTest(
     // Where there is one generation only, nothing is to be moved.
     await page.focus('#timeline');
     await page.press(Key.END, Key.ARROW_RIGHT);
-    assert.deepEqual(await readEvolution(page), expected(0));
+    assert.deepEqual(await readEvolution(page), seedOne(0));
     const thumb = () => page.evaluate(() => Reflect.get(document.getElementById('timeline') ?? {}, 'value'));
     assert.deepEqual([await thumb(), await page.problems(), await page.text('#message')], ['0', [], '']);
     await press(page, 'one-generation', 8);
-    assert.deepEqual(await readEvolution(page), expected(8));
+    assert.deepEqual(await readEvolution(page), seedOne(8));
     await press(page, 'one-back', 3);
-    assert.deepEqual(await readEvolution(page), expected(5));
+    assert.deepEqual(await readEvolution(page), seedOne(5));
     await page.focus('#timeline');
     await page.press(Key.HOME);
-    assert.deepEqual(await readEvolution(page), expected(0));
+    assert.deepEqual(await readEvolution(page), seedOne(0));
     await page.press(Key.ARROW_RIGHT, Key.ARROW_RIGHT);
-    assert.deepEqual(await readEvolution(page), expected(2));
+    assert.deepEqual(await readEvolution(page), seedOne(2));
     await page.press(Key.END);
-    assert.deepEqual(await readEvolution(page), expected(8));
+    assert.deepEqual(await readEvolution(page), seedOne(8));
     await press(page, 'one-back', 1);
     await press(page, 'one-generation', 3);
-    assert.deepEqual(await readEvolution(page), expected(10));
+    assert.deepEqual(await readEvolution(page), seedOne(10));
   },
 );
 
@@ -78,7 +71,7 @@ pageTest('evolution stops at the generation that is asked for', async (page) => 
   await choose(page, 'pace', 'fastest');
   await page.click('#run');
   await rests(page);
-  assert.deepEqual(await readEvolution(page), expected(12));
+  assert.deepEqual(await readEvolution(page), seedOne(12));
 });
 
 pageTest('evolution stops at the first J below the one that is asked for', async (page) => {
@@ -93,21 +86,21 @@ pageTest('evolution stops at the first J below the one that is asked for', async
   await choose(page, 'pace', '60/s');
   await page.click('#run');
   await rests(page);
-  assert.deepEqual(await readEvolution(page), expected(generation));
+  assert.deepEqual(await readEvolution(page), seedOne(generation));
   const { cost } = evolution.statistics().best;
   const said = `The best J of generation ${generation}, ${cost.toFixed(3)}, is below 7.9. Press Run to go on.`;
   assert.equal(await page.text('#evolution-note'), said);
   await choose(page, 'pace', 'fastest');
   await page.click('#run');
   await page.until('it goes on', () => document.getElementById('generation')?.textContent === '100');
-  assert.deepEqual(await readEvolution(page), expected(100));
+  assert.deepEqual(await readEvolution(page), seedOne(100));
 });
 
 pageTest('as fast as it goes it comes to the same generation 100', async (page) => {
   await choose(page, 'pace', 'fastest');
   await page.click('#run');
   await rests(page);
-  assert.deepEqual(await readEvolution(page), expected(100));
+  assert.deepEqual(await readEvolution(page), seedOne(100));
 });
 
 pageTest(
@@ -194,9 +187,9 @@ pageTest('one phase at a time Run plays the generations, and comes to the same',
   // The phases go on until they are left, on a busy machine into a later generation.
   const generation = Number(paused.generation);
   assert.ok(generation >= 2);
-  assert.deepEqual(paused, expected(generation));
+  assert.deepEqual(paused, seedOne(generation));
   await page.click('#one-generation');
-  assert.deepEqual(await readEvolution(page), expected(generation + 1));
+  assert.deepEqual(await readEvolution(page), seedOne(generation + 1));
   assert.match(await fingerprint(page), new RegExp(evolve(velocityLimits, generation + 1).hash));
 });
 
@@ -228,5 +221,5 @@ pageTest('from the phases that Run plays, "back" leads to where it was pressed',
   await page.driver.navigate().back();
   await page.until('the lab is open', () => document.body.dataset.open === 'lab');
   assert.equal(await page.text('#run'), 'Run');
-  assert.deepEqual(await readEvolution(page), expected(0));
+  assert.deepEqual(await readEvolution(page), seedOne(0));
 });

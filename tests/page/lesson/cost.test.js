@@ -101,7 +101,6 @@ test('the program’s weights are those that the text names', () => {
 /** The table of drives, as it is read. @param {Page} page */
 const standings = (page) =>
   page.evaluate(async () => {
-    await new Promise((resolve) => requestAnimationFrame(resolve));
     const rows = [...document.querySelectorAll('#standings tr')];
     return {
       totals: rows.map((row) => row.querySelector('.standing-total')?.textContent),
@@ -219,7 +218,6 @@ pageTest('the formula’s numbers are the parts of J, and each lights up in the 
   const { cost } = simulate(usual, [3, 1, 5]);
   const numbers = () =>
     page.evaluate(async () => {
-      await new Promise((resolve) => requestAnimationFrame(resolve));
       return [...document.querySelectorAll('.formula-now mn')].map((leaf) => leaf.textContent);
     });
   assert.deepEqual(

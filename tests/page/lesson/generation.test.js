@@ -234,7 +234,6 @@ pageTest(
     const { record, all } = anatomyOf(step.link);
     const told = () =>
       page.evaluate(async () => {
-        await new Promise((resolve) => requestAnimationFrame(resolve));
         const values = [
           .../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('#lesson [data-value]')),
         ];

@@ -141,7 +141,6 @@ async function barsAt(page, time) {
     scrub.dispatchEvent(new Event('input', { bubbles: true }));
   }, time);
   return page.evaluate(async () => {
-    await new Promise((resolve) => requestAnimationFrame(resolve));
     return [.../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('#pushes tr:not([hidden])'))]
       .filter((row) => row.querySelector('.push-value'))
       .map((row) => row.querySelector('.push-value')?.textContent ?? '');

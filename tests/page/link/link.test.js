@@ -8,6 +8,7 @@ import { drawnFor, nobody } from '../../../www/run/variant.js';
 import { createEngine, experiment, fields, wordFields } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { samples } from '../parts/samples.js';
+import { createChance } from '../share/any-drive.js';
 
 /** @typedef {import('../../../www/run/exercise.js').Exercise} Exercise */
 /** @typedef {import('../../../www/link/keys.js').Linked} Linked */
@@ -20,15 +21,6 @@ const open = (/** @type {string} */ link) => openLink(link, engine);
 /** A link's content as the page holds it. @param {ReturnType<typeof open>['opened']} opened @returns {Linked} */
 const linked = ({ parts, ...run }) => ({ ...run, slices: parts });
 const plain = linked(open('lab').opened);
-
-/** Numbers that look random, the same every time. @param {number} seed */
-function numbers(seed) {
-  let state = seed;
-  return () => {
-    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
-    return state / 2 ** 32;
-  };
-}
 
 const ways = /** @type {const} */ (['free', 'locked', 'hidden']);
 
@@ -170,7 +162,7 @@ test('a start that is tried stands in the links of the parts that try one', () =
 
 test('every experiment comes back from its link to the bit', () => {
   for (let seed = 1; seed <= 200; seed += 1) {
-    const next = numbers(seed);
+    const next = createChance(seed);
     const between = (/** @type {number} */ low, /** @type {number} */ high) => low + (high - low) * next();
     const maybe = (/** @type {number} */ value) => (next() < 0.3 ? null : value);
     const posture = () => ({ x: between(-9, 9), y: between(-9, 9), theta: between(-3, 3) });

@@ -11,15 +11,7 @@ import {
   twoSided,
 } from '../../../www/parts/luck/contest-statistics.js';
 import { test } from '../harness/once.js';
-
-/** Numbers that look random, the same every time. @param {number} seed */
-function numbers(seed) {
-  let state = seed;
-  return () => {
-    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
-    return state / 2 ** 32;
-  };
-}
+import { createChance } from '../share/any-drive.js';
 
 const ascending = (/** @type {number} */ a, /** @type {number} */ b) => a - b;
 
@@ -58,7 +50,7 @@ function byPermutation(first, others) {
 }
 
 test('A12 is the share of pairs in which the other one is better, with halves for equals', () => {
-  const next = numbers(1);
+  const next = createChance(1);
   for (let round = 0; round < 60; round += 1) {
     // Few values, so that many are equal.
     const some = () => Array.from({ length: 1 + Math.floor(9 * next()) }, () => Math.floor(6 * next()));
@@ -70,7 +62,7 @@ test('A12 is the share of pairs in which the other one is better, with halves fo
 });
 
 test('p is near the share of all permutations that are as uneven', () => {
-  const next = numbers(2);
+  const next = createChance(2);
   for (const levels of [1e9, 8])
     for (let round = 0; round < 12; round += 1) {
       const some = (/** @type {number} */ count, /** @type {number} */ shift) =>
@@ -143,7 +135,7 @@ function wildRun(next, budget) {
 }
 
 test('J, runtimes, their shares and the expected running time are counted drive by drive', () => {
-  const next = numbers(3);
+  const next = createChance(3);
   const [budget, target] = [60, 20];
   const runs = Array.from({ length: 30 }, () => wildRun(next, budget));
   for (const { run, all } of runs)

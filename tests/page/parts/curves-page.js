@@ -27,7 +27,6 @@ export const show = (page, view) => page.click(`#curves-view-${view}`);
 /** The rows of a table, its head first. @param {Page} page @param {string} id */
 export const table = (page, id) =>
   page.evaluate(async (name) => {
-    await new Promise((resolve) => requestAnimationFrame(resolve));
     const element = /** @type {HTMLTableElement} */ (document.getElementById(name));
     return [...element.rows].map((row) =>
       [...row.cells].map((cell) => cell.innerText.replaceAll('\n', ' ').trim()),
@@ -45,7 +44,6 @@ export async function comparison(page) {
 /** @param {Page} page */
 export const readings = (page) =>
   page.evaluate(async () => {
-    await new Promise((resolve) => requestAnimationFrame(resolve));
     return ['x', 'y', 'theta', 'linear', 'angular', 'cost'].map((id) =>
       Number(document.getElementById(`reading-${id}`)?.innerText.replace('−', '-')),
     );

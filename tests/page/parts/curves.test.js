@@ -140,7 +140,6 @@ pageTest('σ over the generations is told with the numbers of the core', async (
   await page.focus('#one-generation');
   await page.press(...Array(6).fill(Key.ENTER));
   const label = await page.evaluate(async () => {
-    await new Promise((resolve) => requestAnimationFrame(resolve));
     const visible =
       document.getElementById('sigmas')?.checkVisibility() &&
       !document.getElementById('curve')?.checkVisibility();

@@ -73,7 +73,6 @@ export async function openAt(page, generation) {
 /** What the part shows once it has drawn what happened last. @param {Page} page */
 export const shownOn = (page) =>
   page.evaluate(async () => {
-    await new Promise((resolve) => requestAnimationFrame(resolve));
     const text = (/** @type {string} */ selector) =>
       [...document.querySelectorAll(selector)].map(
         (element) => /** @type {HTMLElement} */ (element).innerText,

@@ -97,7 +97,6 @@ function expectedTable(from) {
 /** The status and the sentence under the button. @param {Page} page */
 const readWords = (page) =>
   page.evaluate(async () => {
-    await new Promise((resolve) => requestAnimationFrame(resolve));
     const text = (/** @type {string} */ id) =>
       /** @type {HTMLElement} */ (document.getElementById(id)).innerText;
     return {

@@ -171,7 +171,6 @@ pageTest('a pinned run is drawn in every picture, also from where it had another
   await page.click('#page-landscape');
   const picture = () =>
     page.evaluate(async () => {
-      await new Promise((resolve) => requestAnimationFrame(resolve));
       return /** @type {HTMLCanvasElement} */ (document.getElementById('landscape-marks')).toDataURL();
     });
   await page.click('#drives-evolved');

@@ -112,7 +112,6 @@ pageTest('a click on a cell lets the robot drive from there, and evolution stays
 /** What the map says in words, once the page has drawn what happened last. @param {Page} page */
 const readout = (page) =>
   page.evaluate(async () => {
-    await new Promise((resolve) => requestAnimationFrame(resolve));
     return document.getElementById('robustness-readout')?.innerText ?? '';
   });
 

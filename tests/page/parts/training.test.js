@@ -74,7 +74,6 @@ async function readRow(page, name) {
     `training-${name}`,
   );
   return page.evaluate(async (id) => {
-    await new Promise((resolve) => requestAnimationFrame(resolve));
     const text = (/** @type {string} */ selector) =>
       /** @type {HTMLElement} */ (document.querySelector(`#${id} ${selector}`)).innerText
         .replaceAll('\u202f', ' ')

@@ -1,8 +1,8 @@
 // The panel of settings: by keyboard, and in its place.
 import assert from 'node:assert/strict';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
-import { evolve, experiment } from '../harness/core.js';
-import { chord, openGroup, openSettings, setting, summary, type } from '../harness/panel.js';
+import { experiment } from '../harness/core.js';
+import { assertBegun, chord, openGroup, openSettings, setting, summary, type } from '../harness/panel.js';
 import { read } from '../harness/reading.js';
 import { holdWorkers } from '../harness/workers.js';
 
@@ -11,16 +11,9 @@ import { holdWorkers } from '../harness/workers.js';
 
 const velocityLimits = experiment('velocity-limits');
 
-/** That generation 0 of this experiment is on screen. @param {Page} page @param {Experiment} from */
-async function assertBegun(page, from) {
-  const { generation, cost, gains } = await read(page);
-  assert.deepEqual({ generation, cost, gains }, { generation: '0', ...evolve(from).shown });
-}
-
 engineTest('the panel is opened, used and closed with the keyboard alone', async (page) => {
   const isOpen = () =>
     page.evaluate(async () => {
-      await new Promise((resolve) => requestAnimationFrame(resolve));
       return document.getElementById('settings')?.checkVisibility() === true;
     });
   const focused = () => page.evaluate(() => document.activeElement?.id);

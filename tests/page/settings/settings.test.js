@@ -5,7 +5,7 @@ import { rows } from '../../../www/settings/table.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { evolve, experiment, fields, wordFields } from '../harness/core.js';
 import { test } from '../harness/once.js';
-import { openGroup, openSettings, setting, summary, type } from '../harness/panel.js';
+import { assertBegun, openGroup, openSettings, setting, summary, type } from '../harness/panel.js';
 import { middleOf, read } from '../harness/reading.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -14,12 +14,6 @@ import { middleOf, read } from '../harness/reading.js';
 const velocityLimits = experiment('velocity-limits');
 /** @param {[number, number, number]} final @returns {Experiment} */
 const weighing = (final) => ({ ...velocityLimits, weights: { ...velocityLimits.weights, final } });
-
-/** That generation 0 of this experiment is on screen. @param {Page} page @param {Experiment} from */
-async function assertBegun(page, from) {
-  const { generation, cost, gains } = await read(page);
-  assert.deepEqual({ generation, cost, gains }, { generation: '0', ...evolve(from).shown });
-}
 
 /** Drags the knob of a slider by some pixels, in steps. @param {Page} page @param {string} id @param {number} from The share of the slider where its knob is. @param {number} dx */
 async function slide(page, id, from, dx) {
@@ -265,7 +259,6 @@ pageTest('a moving reference is followed, and the plane shows all of its way', a
   const end = { x: goal.x + scale * way, y: goal.y - scale * way };
   const inked = (/** @type {{ x: number, y: number }} */ at) =>
     page.evaluate(async ({ x, y }) => {
-      await new Promise((resolve) => requestAnimationFrame(resolve));
       const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById('plane-robots'));
       const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
       const pixels = canvas.width / canvas.clientWidth;

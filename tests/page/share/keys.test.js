@@ -16,7 +16,6 @@ const expected = (/** @type {number} */ generation) => ({
 /** What is open, what runs, and where the focus is, once all that was pressed is drawn. @param {Page} page */
 const stateOf = (page) =>
   page.evaluate(async () => {
-    await new Promise((resolve) => requestAnimationFrame(resolve));
     const element = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
     return {
       sheet: /** @type {HTMLDialogElement} */ (element('keys')).open,

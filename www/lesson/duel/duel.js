@@ -102,7 +102,6 @@ export function judge(duel, { seed, evolution, random }) {
   return {
     seed,
     drives,
-    population,
     generation,
     given: drivesUntil(generation, population),
     costs: { you: own, ...others },

@@ -13,7 +13,6 @@
  * @typedef {object} Verdict
  * @property {number} seed
  * @property {number} drives Your trials.
- * @property {number} population
  * @property {number} generation The one that evolution is judged by.
  * @property {number} given What each of the other two has tried by then.
  * @property {Record<Duellist, number>} costs

@@ -1,21 +1,7 @@
 // Every word that the steps of the lesson share, and the steps.
-import { drive } from './en/drive.js';
-import { error } from './en/error.js';
-import { law } from './en/law.js';
-import { stability } from './en/stability.js';
-import { limits } from './en/limits.js';
-import { cost } from './en/cost.js';
-import { generation } from './en/generation.js';
-import { sigma } from './en/sigma.js';
-import { duel } from './en/duel.js';
-import { landscape } from './en/landscape.js';
-import { contest } from './en/contest.js';
-import { task } from './en/task.js';
-import { disturbance } from './en/disturbance.js';
-import { paper } from './en/paper.js';
-import { build } from './en/build.js';
-import { lecturers } from './en/lecturers.js';
 import { costText, fixed } from '../../words/en/numbers.js';
+
+export * as steps from './en/all.js';
 
 export const stepLabel = 'Step of the lesson';
 /** @param {number} number @param {number} count */
@@ -71,8 +57,7 @@ export const swarm = {
   mean: 'mean J',
   tooLong: 'With these settings the drives are too long to watch 32 at once.',
   again: 'Drive again',
-  /** @param {readonly number[]} gains */
-  own: (gains) => gainsText(gains),
+  own: gainsText,
   /** @param {readonly number[]} gains */
   evolution: (gains) => `evolution: ${gainsText(gains)}`,
 };
@@ -80,22 +65,3 @@ export const askAgain = 'Ask me again';
 export const lapsed = 'Something was changed before the answer was there. Predict again.';
 export const saidElsewhere = 'It was explained in the other language. To read it here, press “Ask me again”.';
 export const otherWeights = 'The other weights';
-
-export const steps = {
-  drive,
-  error,
-  law,
-  stability,
-  limits,
-  cost,
-  generation,
-  sigma,
-  duel,
-  landscape,
-  contest,
-  task,
-  disturbance,
-  paper,
-  build,
-  lecturers,
-};

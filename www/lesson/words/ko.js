@@ -1,21 +1,7 @@
 // Every word that the steps of the lesson share, and the steps.
-import { drive } from './ko/drive.js';
-import { error } from './ko/error.js';
-import { law } from './ko/law.js';
-import { stability } from './ko/stability.js';
-import { limits } from './ko/limits.js';
-import { cost } from './ko/cost.js';
-import { generation } from './ko/generation.js';
-import { sigma } from './ko/sigma.js';
-import { duel } from './ko/duel.js';
-import { landscape } from './ko/landscape.js';
-import { contest } from './ko/contest.js';
-import { task } from './ko/task.js';
-import { disturbance } from './ko/disturbance.js';
-import { paper } from './ko/paper.js';
-import { build } from './ko/build.js';
-import { lecturers } from './ko/lecturers.js';
 import { costText, fixed } from '../../words/ko/numbers.js';
+
+export * as steps from './ko/all.js';
 
 export const stepLabel = '수업 단계';
 /** @param {number} number @param {number} count */
@@ -67,8 +53,7 @@ export const swarm = {
   mean: '평균 J',
   tooLong: '이 설정에서는 주행이 너무 길어 32대를 한꺼번에 볼 수 없습니다.',
   again: '다시 주행',
-  /** @param {readonly number[]} gains */
-  own: (gains) => gainsText(gains),
+  own: gainsText,
   /** @param {readonly number[]} gains */
   evolution: (gains) => `진화: ${gainsText(gains)}`,
 };
@@ -76,22 +61,3 @@ export const askAgain = '다시 풀기';
 export const lapsed = '답이 나오기 전에 조건이 바뀌었습니다. 다시 예측해 보십시오.';
 export const saidElsewhere = '설명은 다른 언어로 나왔습니다. 여기서 읽으려면 다시 푸십시오.';
 export const otherWeights = '나머지 가중치';
-
-export const steps = {
-  drive,
-  error,
-  law,
-  stability,
-  limits,
-  cost,
-  generation,
-  sigma,
-  duel,
-  landscape,
-  contest,
-  task,
-  disturbance,
-  paper,
-  build,
-  lecturers,
-};

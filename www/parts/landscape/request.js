@@ -57,6 +57,15 @@ export function createSpec(paper) {
   };
 }
 
+/** What the core is asked for. @param {Spec} spec @param {number} count */
+export function askedOf(spec, count) {
+  const axis = (/** @type {AxisChoice} */ choice) => {
+    const [from, to] = endsOfAxis(choice, spec.range);
+    return { ...choice, from, to, count };
+  };
+  return { x: axis(spec.x), y: axis(spec.y), gains: gainsAt(spec, [1, 1]) };
+}
+
 /** @param {Engine} engine @param {Store} store */
 export function createLandscapeRequests(engine, store) {
   const channel = once(() => engine.surveys.channel());
@@ -67,11 +76,7 @@ export function createLandscapeRequests(engine, store) {
     /** @param {Spec} spec @param {number} count @returns {Promise<Landscape>} */
     async compute(spec, count) {
       const began = performance.now();
-      const axis = (/** @type {AxisChoice} */ choice) => {
-        const [from, to] = endsOfAxis(choice, spec.range);
-        return { ...choice, from, to, count };
-      };
-      const asked = { x: axis(spec.x), y: axis(spec.y), gains: gainsAt(spec, [1, 1]) };
+      const asked = askedOf(spec, count);
       const costs = await engine.surveys.landscape(spec.experiment, asked, { channel: channel() });
       return { spec, count, costs, milliseconds: performance.now() - began };
     },

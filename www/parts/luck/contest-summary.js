@@ -17,7 +17,6 @@ import { quartilesOf } from './statistics.js';
  * @property {Contestant | null} name
  * @property {string} error
  * @property {number} count How many runs there are.
- * @property {number[]} runtimes
  * @property {number} reached
  * @property {number} ert In drives.
  * @property {readonly [number, number]} interval Of that.
@@ -109,7 +108,6 @@ function comparedOf(lines, target, budget) {
       name,
       error,
       count: runtimes.length,
-      runtimes,
       reached: runtimes.filter(Number.isFinite).length,
       ert: expectedRunningTime(runtimes, budget),
       interval: runningTimeInterval(runtimes, budget),

@@ -1,4 +1,5 @@
 // Of the lab, what is the same in every language.
+import { sixDigits } from '../numbers.js';
 
 export const speeds = /** @type {const} */ ([
   [0.125, '⅛×'],
@@ -16,3 +17,9 @@ export const gains = /** @type {const} */ ([
   { id: 'ky', name: 'ky', letter: 'k', index: 'y' },
   { id: 'ktheta', name: 'kθ', letter: 'k', index: 'θ' },
 ]);
+
+/** A line that runs above the picture. @param {string} line */
+export const above = (line) => `${line} ↑`;
+
+/** @param {number} cost */
+export const paidText = (cost) => `J ${sixDigits(cost)}`;

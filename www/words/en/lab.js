@@ -256,12 +256,6 @@ export const announcement = (statistics) =>
 export const bestLine = 'best';
 export const medianLine = 'median';
 export const paperLine = 'paper’s EP';
-/** A line that runs above the picture. @param {string} line */
-export const above = (line) => `${line} ↑`;
-
-/** @param {number} cost */
-export const paidText = (cost) => `J ${sixDigits(cost)}`;
-
 /** @param {number} metres */
 export const outside = (metres) => `${fixed(metres, 1)} m outside`;
 

@@ -250,12 +250,6 @@ export const announcement = (statistics) =>
 export const bestLine = '최소';
 export const medianLine = '중앙값';
 export const paperLine = '논문 EP';
-/** A line that runs above the picture. @param {string} line */
-export const above = (line) => `${line} ↑`;
-
-/** @param {number} cost */
-export const paidText = (cost) => `J ${sixDigits(cost)}`;
-
 /** @param {number} metres */
 export const outside = (metres) => `${fixed(metres, 1)} m 밖`;
 

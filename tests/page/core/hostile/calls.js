@@ -141,6 +141,14 @@ export const pathsOf = (value) =>
     ? [[], ...Object.entries(value).flatMap(([key, inner]) => pathsOf(inner).map((path) => [key, ...path]))]
     : [[]];
 
+/** Every place within what these calls are given. @param {ReturnType<typeof callsOf>} calls */
+export const placesIn = (calls) =>
+  calls.flatMap(([, call, given]) =>
+    pathsOf(given)
+      .filter(({ length }) => length > 0)
+      .map((path) => /** @type {const} */ ({ call, given, path })),
+  );
+
 /** A copy with something else at this path. @param {any} value @param {readonly string[]} path @param {unknown} other @returns {any} */
 export function withOther(value, [key, ...rest], other) {
   if (key === undefined) return other;

@@ -41,8 +41,7 @@ Then evolution has its turn: {=count} robots for {=generations} generations, {=g
     /** @param {Verdict} verdict */
     caption: ({ seed, generation, given }) =>
       `Seed ${seed}. What counts is evolution’s generation ${generation}, after ${trialsText(given)}.`,
-    /** @param {Verdict} verdict */
-    sentence: (verdict) => who(verdict),
+    sentence: who,
     later,
     /** @param {string} sentence */
     plotLabel: (sentence) => `The best mean J so far of all three against the number of trials. ${sentence}`,

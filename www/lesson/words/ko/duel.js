@@ -41,8 +41,7 @@ export const duel = {
     /** @param {Verdict} verdict */
     caption: ({ seed, generation, given }) =>
       `시드 ${seed}. 승부는 진화의 ${generation}세대, ${trialsText(given)}에서 가립니다.`,
-    /** @param {Verdict} verdict */
-    sentence: (verdict) => who(verdict),
+    sentence: who,
     later,
     /** @param {string} sentence */
     plotLabel: (sentence) => `시도 횟수에 따른 셋의 최소 평균 J. ${sentence}`,
