@@ -85,8 +85,15 @@ test('the seven terms of the rate of V come to what the law promises, pair by pa
     [[2, 7, 0.3], { x: -1, y: 1.5, theta: -2 }],
   ])) {
     const [kx, steep, cross, ky, kt, lessSteep, lessCross] = rateAmounts(gains, error);
-    assert.ok(Math.abs(steep + lessSteep) < 1e-9 * (1 + Math.abs(steep)));
-    assert.ok(Math.abs(cross + lessCross) < 1e-9);
+    assert.equal(steep + lessSteep, 0);
+    assert.equal(cross + lessCross, 0);
+    const { x, y, theta } = error;
+    const [s, c] = [Math.sin(theta), Math.cos(theta)];
+    for (const [own, term] of [
+      [steep, (gains[1] * x * y ** 3 * c) / s],
+      [cross, gains[0] * x * y * s * c],
+    ])
+      assert.ok(Math.abs(own - term) < 1e-9 * (1 + Math.abs(term)));
     const { promised } = lawTerms(experiment('velocity-limits'), [...gains], error);
     for (const [own, core] of [
       [kx, promised?.x],
@@ -97,20 +104,26 @@ test('the seven terms of the rate of V come to what the law promises, pair by pa
   }
 });
 
-test('where sin θe is 0 the seven terms are what the guarded law does: of no gain nothing, else V’s true rate', () => {
+test('where sin θe is 0 the seven terms are divided as the law does it, and of no gain they are 0', () => {
   for (const [gains, error] of /** @type {const} */ ([
-    [[3, 0, 5], { x: 2 * Math.SQRT2, y: 0.5, theta: 0 }],
+    [[3, 0, 5], { x: 2, y: 2, theta: 0 }],
     [[3, 1, 5], { x: 2, y: -2, theta: 0 }],
+    [[3, 1, 5], { x: 2, y: 0, theta: 0 }],
     [[3, 1, 5], { x: 1, y: 0.1, theta: -1e-9 }],
   ])) {
-    const amounts = rateAmounts(gains, error);
-    const { kx, ky, ktheta } = lawTerms(experiment('velocity-limits'), [...gains], error).command;
-    const [v, w] = [kx.linear + ky.linear, kx.angular + ky.angular + ktheta.angular];
+    const [kx, steep, cross, ky, kt, lessSteep, lessCross] = rateAmounts(gains, error);
     const { x, y, theta } = error;
-    const rate = -x * v * Math.cos(theta) + (y * v - w) * Math.sin(theta);
-    const sum = amounts.reduce((all, one) => all + one);
-    assert.ok(Math.abs(sum - rate) < 1e-9 * (1 + Math.abs(rate)), `${amounts} for ${rate}`);
-    if (gains[1] === 0) for (const i of [1, 3, 5]) assert.equal(Math.abs(amounts[i]), 0);
+    const divided = (gains[1] * x * y ** 3) / (theta < 0 ? -1e-6 : 1e-6);
+    assert.ok(Math.abs(steep - divided) <= 1e-9 * Math.abs(divided), `${steep} for ${divided}`);
+    assert.equal(steep + lessSteep, 0);
+    assert.equal(cross + lessCross, 0);
+    for (const [own, term] of [
+      [kx, -gains[0] * x ** 2],
+      [ky, -gains[1] * y ** 4],
+      [kt, 0],
+      [cross, 0],
+    ])
+      assert.ok(Math.abs(own - term) < 1e-8, `${own} for ${term}`);
   }
   assert.ok(rateAmounts([3, 1, 5], { x: Number.NaN, y: 0, theta: 0 }).every(Number.isNaN));
 });

@@ -41,15 +41,14 @@ export const rateTerms = [
   { text: `− ${cross}`, pair: 'kx', of: 'x' },
 ];
 
-/** What the seven terms come to, of what the law asks for where its division is guarded, too. @param {Triple} gains @param {{ x: number, y: number, theta: number }} error */
+/** What the seven terms come to, where the law guards its division, too. @param {Triple} gains @param {{ x: number, y: number, theta: number }} error */
 export function rateAmounts(gains, error) {
   const { x, y, theta } = error;
-  if (![x, y, theta].every(Number.isFinite)) return rateTerms.map(() => Number.NaN);
-  const { kx, ky, ktheta } = lawTerms({ law: 'shim-kim' }, gains, error).command;
-  const [s, c] = [Math.sin(theta), Math.cos(theta)];
-  const [ahead, aside] = [-x * c, y * s];
-  return [
-    ...[ahead * kx.linear, ahead * ky.linear, aside * kx.linear, aside * ky.linear],
-    ...[ktheta, ky, kx].map(({ angular }) => -s * angular),
-  ];
+  const nowhere = rateTerms.map(() => Number.NaN);
+  if (![x, y, theta].every(Number.isFinite)) return nowhere;
+  const { command, promised } = lawTerms({ law: 'shim-kim' }, gains, error);
+  if (!promised) return nowhere;
+  const steep = -x * Math.cos(theta) * command.ky.linear;
+  const cross = y * Math.sin(theta) * command.kx.linear;
+  return [promised.x, steep, cross, promised.y, promised.theta, -steep, -cross];
 }
