@@ -18,7 +18,7 @@ const [line, sample, widest] = [20, 28, 192];
 /** Its letters are larger than those on canvases. */
 const larger = 14 / 13;
 /** The room of the two postures in words. */
-const postures = { width: 240, height: 72, left: 56, right: 16, bottom: 36 };
+const postures = { width: 210, height: 72, left: 56, right: 16, bottom: 36 };
 
 /** Start and goal with their names and knobs, the robots at rest, and how far outside one is. @param {Standing} standing @returns {Room[]} */
 function standing({ view, ends, runs, isPaid }) {

@@ -194,7 +194,7 @@ export const countText = (count, most) => `${count} of at most ${most} character
 export const wrongValue = (kind, most) =>
   ({
     cost: `The value of J must be a number above 0 and at most ${most.cost}, for instance 8.1.`,
-    parks: `From how many of how many starts must be like 28/32, with at most ${most.starts} starts.`,
+    parks: `The number of starts must be written like 28/32, with at most ${most.starts} starts.`,
     unseen: 'The share must be above 0 and at most 1, for instance 0.9 or 90 %.',
   })[kind];
 

@@ -76,7 +76,7 @@ export const taglines = (population) => ({
   lab: `${counted(population, 'robot with three random gains drives', 'robots, each with three random gains, drive')} to the goal. Evolution keeps what drives well.`,
   park: 'Robots at 32 starts, one parking place, three numbers: park them all, or let evolution try.',
   generation:
-    'One generation, step by step: who had whom as a child, how each drove, whom each met, who stays.',
+    'One generation, step by step: who is whose offspring, how each drove, whom each met, who stays.',
   curves:
     'The drive against time, as in the paper’s Figures 5 and 7, J as it is paid, and the Lyapunov function.',
   landscape:
@@ -129,7 +129,7 @@ export const outcomeText = (run) =>
     horizon: isTracking(run)
       ? `follows the reference for ${sixDigits(run.finalTime)} s`
       : `has not arrived after ${sixDigits(run.finalTime)} s`,
-    diverged: 'leaves the finite numbers',
+    diverged: 'diverges',
   })[run.outcome];
 
 /** @param {string} name @param {number} cost */
@@ -165,7 +165,7 @@ export const dragHint = 'drag or turn them';
 export const startName = 'Start';
 export const goalName = 'Goal';
 export const referenceName = 'reference';
-export const restorePostures = 'Back to the paper’s start and goal';
+export const restorePostures = 'Back to the paper’s postures';
 
 /** @param {string} name */
 export const positionLabel = (name) =>

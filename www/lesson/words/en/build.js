@@ -15,7 +15,7 @@ export const build = {
 
 *1.* Parking means bringing three errors to zero by choosing two velocities.
 
-*2.* The law gives each error a gain, and its terms cancel so that one number, {V}, can only fall, as long as sin {te} is not 0 and at every instant the wheels do what is asked.
+*2.* The law gives each error a gain, and its terms cancel so that one number, {V}, can only fall, as long as sin {te} is not 0 and the wheels do what is asked at every instant.
 
 *3.* Real wheels saturate and computers wait between samples, so which gains are good is not a question for the proof alone.
 

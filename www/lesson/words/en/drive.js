@@ -29,7 +29,7 @@ The paper that this page follows compares gains picked without evolution (here J
       ],
       /** @param {{ gentle: Run, bold: Run }} outcome */
       why: ({ gentle, bold }) =>
-        `With 5 it ${arrival(gentle)}, J ${costText(gentle.cost.total)}; with 10 it ${arrival(bold)}, J ${costText(bold.cost.total)}. The part of energy in it: ${fixed(gentle.cost.energy, 2)} and ${fixed(bold.cost.energy, 2)}; the part of the path: ${fixed(gentle.cost.path, 2)} and ${fixed(bold.cost.path, 2)}. Both are drawn: the robot with 5 is pinned.`,
+        `With 5 it ${arrival(gentle)}, J ${costText(gentle.cost.total)}; with 10 it ${arrival(bold)}, J ${costText(bold.cost.total)}. Energy’s part of J: ${fixed(gentle.cost.energy, 2)} and ${fixed(bold.cost.energy, 2)}; the path’s part: ${fixed(gentle.cost.path, 2)} and ${fixed(bold.cost.path, 2)}. Both are drawn: the robot with 5 is pinned.`,
     },
   },
   tries: {

@@ -12,7 +12,7 @@ export const duel = {
 
 You go first. Move the sliders under the picture, or type numbers. Each time you let go of a slider, 32 robots drive: that is *one trial*, however far you dragged. When you are content, *lock in your best*.
 
-Then evolution has its turn: {=count} robots for {=generations} generations, {=given} trials, or as many as you had if you were more patient. A third player, *random search*, has as many: it draws gains evenly between {=low} and {=high}, keeps the best, and learns nothing.`,
+Then evolution has its turn: {=count} robots for {=generations} generations, {=given} trials; if you had more, it gets as many as you. A third player, *random search*, has as many: it draws gains evenly between {=low} and {=high}, keeps the best, and learns nothing.`,
     beyond: `Look at the gains that evolution found, and watch its robots. Its {ky} lies beyond the slider, where no hand would look and where random search cannot go. Nobody told it to look there. In this task the way down is long.`,
     within: `Look at the gains that evolution found, and watch its robots. This time its {ky} lies where a hand or random search can go, too.`,
     after: `*Selection goes on from what was good*: each generation starts where the last one ended. How much it finds in {=generations} generations still depends on luck: try other seeds, and let both go on, before you say who won.`,

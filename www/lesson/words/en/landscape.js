@@ -9,9 +9,9 @@ export const landscape = {
     map: `The map with which this step opens: every point of it is a robot. {kx} grows to the right, {kt} upwards, {ky} is the same everywhere. The colour is its {J}; dark is good. {=drives} robots have driven for the picture. *Press anywhere, and that robot drives.*
 
 The white dots are the population. *Press Run* and watch it walk: the line is the path of its best robot. It is in generation {=generation} now, after {=spent} drives. And it *never sees the map*. Evolution knows {J} only where one of its robots stands.`,
-    shape: `Three things on the map of the beginning deserve a name. The *valley* is dark: {=floor}\u00a0% of that map cost at most 5 % more than its lowest point (four short strokes mark it), so very different gains can be almost equally good. At the *edge* dark turns yellow at once: beyond it the robots do not arrive, and pay for all {=horizon} seconds. The *ripples* come from the law: it divides by sin {te}, and where {te} passes through zero just at a sample, one huge command costs energy.
+    shape: `Three things on the opening map deserve a name. The *valley* is dark: {=floor}\u00a0% of that map cost at most 5 % more than its lowest point (four short strokes mark it), so very different gains can be almost equally good. At the *edge* dark turns yellow at once: beyond it the robots do not arrive, and pay for all {=horizon} seconds. The *ripples* come from the law: it divides by sin {te}, and where {te} passes through zero just at a sample, one huge command costs energy.
 
-Why search at all, if one can drive the whole map? Because it is a map of *two* gains. A grid as fine over all three would be {=grid} drives, and each further gain would cost {=side} times as many again.
+Why search at all, if one can drive the whole map? Because it is a map of *two* gains. A grid as fine over all three would be {=grid} drives, and each further gain would multiply that by {=side}.
 
 A method that follows the slope stumbles over edges and ripples, and may stop in a *local optimum*: a place that is better than all around it, but not the best. Evolution needs no slope: it only compares. That makes it sturdy, not infallible.`,
     next: `With most seeds evolution comes near the lowest point of *one* landscape, which belongs to one start and one goal. Has the robot learned to park, or only to park from there? Step 12 asks. First: which part of the method did the work?`,
@@ -49,7 +49,7 @@ A method that follows the slope stumbles over edges and ripples, and may stop in
   },
   notice: [
     'Most of the time the best stands still. Now and then an offspring lands on better ground, and the line jumps.',
-    'The thin cross through a dot shows its step sizes σ. In the gorge they have shrunk to nothing: the robots see no way on, though {J} falls to the left.',
+    'The thin cross through a dot shows its step sizes σ. In the gorge of the last thing to try they have shrunk to nothing: the robots see no way on, though {J} falls to the left.',
     'The dots have a {ky} of their own, so the colour under a dot is not quite its {J}.',
     'The paper’s EP gains lie in the valley too, though the paper does not tell its weights. Its arbitrary gains do not.',
   ],

@@ -10,8 +10,8 @@ export const law = {
 A *gain* says how hard one error pushes. Each bar is one push at this moment, on the speed {v} or on the turn rate {w}. Added up, they are what the *law* asks for: the rule that turns the errors into {v} and {w}. The bars stand beside these words. Grey: beyond what the wheels can do.`,
     written: `The clock stands where the law asks for most. Move it, and the bars follow the robot; move a slider, and they change at once. The formula, the paper’s (5) for a goal at rest, says the same: point at a term, and its slider, its pushes and its errors light up.`,
     each: `So each gain looks after one error: {kx} after {xe}, {kt} after {te}, {ky} after {ye}. (Two more terms of {w} contain {ye}: the next step shows what they cancel.) Now two gains together.`,
-    sideways: `Why does the {ky} term divide by sin {te}? The robot cannot drive sideways. To get over to the side it must turn a little, and drive; the less it has turned, the farther. When it has hardly turned at all, the law asks for the impossible, and most of all in {w}, where the term that goes with this one divides by the square: from the start with which this step opens, [the gains 3, 8, 5](lab&drives=hand&gains=3,8,5&start=1.5,0.5,0) ask for {=most} rad/s after {=at} s, and the limits leave {=leaves}.`,
-    next: `Five terms, and none spoils the work of another? They were made that way. There is one quantity that they only bring down, as long as the gains are above zero and at every instant the wheels do what is asked.`,
+    sideways: `Why does the {ky} term divide by sin {te}? The robot cannot drive sideways. To get over to the side it must turn a little, and drive; the less it has turned, the farther it must drive. When it has hardly turned at all, the law asks for the impossible, and most of all in {w}, where the term that goes with this one divides by the square: from the start with which this step opens, [the gains 3, 8, 5](lab&drives=hand&gains=3,8,5&start=1.5,0.5,0) ask for {=most} rad/s after {=at} s, and the limits leave {=leaves}.`,
+    next: `Five terms, and none spoils the work of another? They were made that way. There is one quantity that they only bring down, as long as the gains are above zero and the wheels do what is asked at every instant.`,
   },
   pushes: {
     tableLabel: 'What each term of the law adds now',
@@ -61,7 +61,7 @@ A *gain* says how hard one error pushes. Each bar is one push at this moment, on
   notice: [
     'Where {ye} is 0, all terms but two are 0: {kx} drives and {kt} turns.',
     'A bar with an arrow leaves the picture: then the limits drive, where there are any, and not the law.',
-    'In {w} each gain has a term, in {v} only two.',
+    'In {w} each gain has a term, in {v} only {kx} and {ky} have one.',
     'What to do at sin {te} = 0 the paper does not say. Here its size is never taken as less than 0.000001.',
   ],
 };

@@ -70,7 +70,7 @@ export const lecturers = {
         },
         theory: {
           text: '*25 to 37 min.* Step 4: let a student do the chain rule; strike the terms out, press by press.',
-          seen: 'Two pairs cancel, three squares are left.',
+          seen: 'Two pairs cancel, three terms are left.',
         },
         limits: {
           text: '*37 to 45 min.* Step 5: what the proof assumes. Saturation, samples, chattering.',

@@ -6,7 +6,7 @@ export const paper = {
     same: `All that you have seen follows a paper of 1995, by Jong-Hwan Kim and Hyun-Sik Shim. It gives four drives with their gains and their J. A page that teaches should be able to show them again. Can it?`,
     order: `The *order* is the paper’s: the evolved gains are better than the arbitrary ones, with both kinds of limits. With velocity limits the arbitrary ones cost {=velocity} times as much here, {=paperVelocity} times in the paper; with acceleration limits {=acceleration} times, {=paperAcceleration} in the paper, because here they do not arrive at all. Our own evolution finds {kx} and {kt} of a similar size, and sends {ky} towards zero, as the paper’s did.
 
-The *numbers themselves* are not the paper’s, and no honest program could make them so: J depends on weights and on rules that the paper does not give. We have not tuned them to make the numbers fit. This is what stands in the paper, and what we chose where it is silent:`,
+The *numbers themselves* are not the paper’s, and no honest program could make them so: J depends on weights and on rules that the paper does not give. We have not tuned them to make the numbers fit. This is what stands in the paper, and what we do:`,
     printed: `With the energy as (9) prints it, of the *commanded* velocity, our J of the four drives would be {=printed}.`,
     figure7: `One picture we cannot reproduce. In Figure 7 the heading of the arbitrary gains 30, 30, 30 stays below 60°. Here it swings up to {=swing}. We know no reading of the acceleration limit that gives the paper’s picture.`,
   },
@@ -71,7 +71,7 @@ The *numbers themselves* are not the paper’s, and no honest program could make
     [
       'heading in p',
       '“meter meter degree”',
-      'radians: in degrees the path alone costs 103.9 and 62.8, in the other order',
+      'radians: in degrees the path alone costs 103.9 (EP) and 62.8 (arbitrary), which reverses the order',
     ],
     [
       'velocity on arrival',

@@ -9,7 +9,7 @@ export const stability = {
     bowl: `Three errors are hard to watch at once. So take one number for all of them, {V}. Think of a bowl, the one beside the plane: {V} is how high the robot stands on its wall. It is zero only at the bottom, where the robot is parked. At {=time} s it is {=V}. Play the drive, and watch the robot roll.`,
     falls: `Now the trick. The law was *built* so that {V} can only fall. To see it, one needs to know how the errors move when the robot drives at {v} and {w}; {vr} and {wr}, the goal’s own speed and turn rate, are 0 for a goal at rest:`,
     chain: `How fast does {V} change? By the chain rule:`,
-    left: `What is left is the rate at which {V} changes. It proves the paper’s Theorem 1, that the errors go to zero; for the proof the paper refers to an earlier one, so this one is ours:`,
+    left: `What is left is the rate at which {V} changes. It proves the paper’s Theorem 1, that the errors go to zero; for its proof the paper refers to an earlier paper, so this proof is ours:`,
     parts: `Three parts, one for each gain. Each is a square or a fourth power with a minus sign, so as long as its gain is positive, the part is never positive; and all three are zero together only at the bottom and at one other spot, which the last note below describes. In the figure the three are stacked in their colours; the line is how fast {V} really changes. Here no limit interferes, and the two agree. So the robot rolls down until it is at the bottom of the bowl. Such a {V} is called a *Lyapunov function*.`,
     before: `Before this law there was a simpler one, by Kanayama and others. It follows a moving goal well. But with it the robot turns only while the goal *moves*.`,
     next: `The proof says that {V} never rises. From another start the program shows that at times it does. Both are right: the next step tells why.`,
@@ -26,7 +26,7 @@ export const stability = {
       'Three terms, and a law of five. Put it in:',
       'Seven terms. Two of them contain ky and a division by sin θₑ.',
       'The two are the same, once with plus and once with minus: gone, and the division with them. That is what the term of ω with ky is for.',
-      'The two with xₑ yₑ go the same way: that is why kx stands in ω. Three squares are left.',
+      'The two with xₑ yₑ go the same way: that is why kx stands in ω. Three terms are left.',
     ],
     amounts: 'The number under each term is what it comes to at the robot’s clock; move it, and they change.',
     otherLaw: 'Now Kanayama’s rule drives, so no number stands under the terms of (5).',
@@ -44,7 +44,7 @@ export const stability = {
       ],
       /** @param {{ first: number, last: number, most: number }} outcome */
       why: ({ first, last, most }) =>
-        `{V} begins at ${heightText(first)} and ends at ${heightText(last)}; the highest is ${heightText(most)}. With {ky} below zero the orange part is above zero: it pushes the robot up the wall, and the farther it is to the side, the harder, with the fourth power. At first the other two are stronger. As {xe} and {te} shrink they fade, and the orange part is left.`,
+        `{V} begins at ${heightText(first)} and ends at ${heightText(last)}; the highest is ${heightText(most)}. With {ky} below zero the orange part is above zero: it pushes the robot up the wall, with the fourth power of its distance to the side. At first the other two parts are stronger. As {xe} and {te} shrink, those two fade, and the orange part is left.`,
     },
     kanayama: {
       question:
@@ -56,7 +56,7 @@ export const stability = {
       ],
       /** @param {{ away: number, turned: number }} outcome */
       why: ({ away, turned }) =>
-        `It stops ${fixed(away, 2)} m from the goal. Its largest turn rate was ${fixed(turned, 2)} rad/s: with a goal at rest the rule never turns. (It has a V of its own, which is the one shown.) This is the flaw that law (5) was made to mend, by the same authors in 1994; the paper of 1995 looks for its gains.`,
+        `It stops ${fixed(away, 2)} m from the goal. Its largest turn rate was ${fixed(turned, 2)} rad/s: with a goal at rest the rule never turns. (It has a V of its own, which is the one shown.) This is the flaw that law (5), by Shim and Kim in 1994, was made to mend; their paper of 1995 looks for its gains.`,
     },
   },
   tries: {

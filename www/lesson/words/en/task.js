@@ -9,7 +9,7 @@ import { costText, fixed, grouped } from '../../../words/en/numbers.js';
 
 export const task = {
   texts: {
-    good: `The robot of steps 7, 8 and 10 was evolved from *one* start. Generation {=generation}: it arrives after {=time} s at J {=cost}; the gains of the paper come to {=paper} here. There is little left to find. *So has this robot learned to park?*
+    good: `The robot of steps 7, 8 and 10 was evolved on *one* start. Generation {=generation}: it arrives after {=time} s at J {=cost}; the gains of the paper come to {=paper} here. There is little left to find. *So has this robot learned to park?*
 
 Put it to the test: the same gains, other starts. {=places} places in a square with sides of {=side} m around the goal, with {=headings} headings at each, make {=starts} starts.`,
     beside: `Watch those that fail, here or on [the map](robustness&generation=100), where a press on a hatched place drives from there. The robot drives up, turns the right way, and stops *beside* the goal: {xe} and {te} are gone, {ye} is left. The gain against {ye} is {ky}, and evolution has left it at {=ky}.`,

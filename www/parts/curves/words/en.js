@@ -70,6 +70,6 @@ export const finalTimeHead = 'end';
 export const finalTimeText = ({ finalTime }) => `${fixed(finalTime, 2)} s`;
 export const settingsThatDiffer = 'Settings that differ';
 export const sameSettings = 'All settings are the same.';
-export const startsHead = 'Evolved from';
+export const startsHead = 'Evolved on';
 /** @param {number} count */
 export const startsText = (count) => (count === 1 ? '1 start' : `${count} starts`);

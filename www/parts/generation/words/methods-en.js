@@ -162,7 +162,7 @@ const sentences = {
     survivors(anatomy) {
       const { name } = turnOf(anatomy);
       return isBetter(anatomy)
-        ? `J falls: it stays there. The next step of ${name} goes twice as far.`
+        ? `J falls: the robot stays there. The next step of ${name} goes twice as far.`
         : `J does not fall: back. The next step of ${name} is half as long, and the other way.`;
     },
   },
@@ -186,7 +186,7 @@ const sentences = {
           ? `The slope is known. The next step goes down it, ${lengthOf(next.steps)} far.`
           : 'No slope can be told: J is level here, or infinite.';
       if (isBetter(anatomy))
-        return 'J falls: it stays there. The slope is probed anew; then a step twice as long.';
+        return 'J falls: the robot stays there. The slope is probed anew; then a step twice as long.';
       return next.steps
         ? 'J does not fall: back, and half as far is tried.'
         : 'J does not fall even so near: the slope is probed anew.';

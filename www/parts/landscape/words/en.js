@@ -53,7 +53,7 @@ const sketches = {
   ep: 'Crosses: one σ.',
   'cma-es':
     'The ellipses are the distribution that these robots were drawn from, at one and at two standard deviations.',
-  de: 'The other lines lead to the trials, each from the robot that it began at: moved by half the difference of two others. Solid: it took a place, and that difference is dashed.',
+  de: 'The other lines lead to the trials: each begins at a robot and goes by half the difference of two others. Solid: the trial took a place; its difference is dashed.',
   'nelder-mead':
     'The other lines are the simplex. Dashed: to what was tried in the place of its worst corner or, where that was taken, to the corner that went.',
   'one-plus-one-es': 'Cross: one σ. The other line is the step that was tried.',

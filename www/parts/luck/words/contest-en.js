@@ -164,7 +164,7 @@ export const reachedText = (reached, count) => `${reached} of ${count}`;
 export function verdictText(verdict, name) {
   switch (verdict.kind) {
     case 'same':
-      return 'Run by run the same as the first: in these drives it changes nothing. (While only the first random robots drive, no method does.)';
+      return 'Run by run the same as the first: in these drives it changes nothing. (While only the first random robots drive, no method changes anything.)';
     case 'undecided':
       return verdict.runs === 1
         ? 'One run cannot tell these two apart.'
@@ -186,7 +186,7 @@ export function verdictText(verdict, name) {
     case 'riskier':
       return `${shortName(name)} is ahead in ${percent(verdict.a12)} of all pairs, but fails more often${verdict.times ? `: in the mean it takes ${timesText(verdict.times)} times as many drives` : ''}.`;
     default:
-      return `Of two runs the ${verdict.kind === 'better' ? 'better' : 'worse'} one is that of ${shortName(name)} in ${percent(verdict.kind === 'better' ? verdict.a12 : 1 - verdict.a12)} of all pairs.`;
+      return `In ${percent(verdict.kind === 'better' ? verdict.a12 : 1 - verdict.a12)} of all pairs of runs the ${verdict.kind === 'better' ? 'better' : 'worse'} one is that of ${shortName(name)}.`;
   }
 }
 

@@ -31,7 +31,7 @@ export const comments = {
     arrived: (/** @type {number} */ time) => `parks in ${time} s`,
     horizon: (/** @type {number} */ _time, /** @type {number} */ horizon) =>
       `does not park within ${horizon} s`,
-    diverged: () => 'leaves the finite numbers',
+    diverged: () => 'diverges',
     tracking: (/** @type {number} */ _time, /** @type {number} */ horizon) =>
       `follows a goal that moves for ${horizon} s`,
   },
@@ -79,7 +79,7 @@ export const comments = {
   advance: 'The pose one sample later: along an exact arc (2).',
   drive: 'Drives as the page does, and gives t_f, the cost J (9) and the last pose.',
   goalMoves: 'the goal moves as well',
-  diverged: 'it left the finite numbers',
+  diverged: 'it has diverged',
   clamp: 'The value, within low and high; NaN stays NaN.',
   handle: 'The controller alone:',
 };
