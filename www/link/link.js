@@ -19,7 +19,7 @@ import { changesOf, namesIn, pathOf, withField } from './experiment.js';
 import { driveKeys, lessonKey, pinKeys } from './keys.js';
 import { sealOf } from './seal.js';
 import { PartlyRead, readAll } from './together.js';
-import { decoded, encoded, oneOf, pairOf, percent } from './values.js';
+import { decoded, encoded, oneOf, pairOf, percent, wellFormed } from './values.js';
 
 /** @typedef {(preset: Preset) => Experiment} ExperimentOf */
 /**
@@ -112,7 +112,7 @@ export function createLinks({ pages, places, keys: partKeys, mend, lesson }) {
    * @returns {{ opened: Opened, problems: string[] }}
    */
   function openLink(written, engine, who = '') {
-    const link = asWritten(written);
+    const link = wellFormed(asWritten(written));
     const [name, ...rest] = whole(link.slice(0, mostCharacters), lesson).split('&');
     const page = pages.find((one) => one === (name || 'lab'));
     const problems = page ? [] : [words.unknownPart(short(decoded(name)), [...pages, 'lesson'])];

@@ -24,6 +24,13 @@ export function preparedAs({ driver, handGains, generation }, exercise) {
   };
 }
 
+/** Whether a link tells of as much as it now would: older ones do not. @param {Drive} run @param {Exercise} exercise @param {Prepared} prepared */
+export function isAllTold(run, exercise, prepared) {
+  const names = /** @type {const} */ (['driver', 'gains', 'generation']);
+  const own = preparedAs(run, exercise);
+  return names.every((name) => (own[name] === null) === (prepared[name] === null));
+}
+
 /** @param {Drive & Pick<State, 'exercise' | 'student'>} run As it was opened. */
 export const preparedIn = (run) => run.student.base?.prepared ?? preparedAs(run, run.exercise);
 
