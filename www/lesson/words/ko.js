@@ -59,5 +59,5 @@ export const swarm = {
 };
 export const askAgain = '다시 풀기';
 export const lapsed = '답이 나오기 전에 조건이 바뀌었습니다. 다시 예측해 보십시오.';
-export const saidElsewhere = '설명은 다른 언어로 나왔습니다. 여기서 읽으려면 다시 푸십시오.';
+export const saidElsewhere = '설명은 다른 언어로 나왔습니다. 여기서 읽으려면 “다시 풀기”를 누르십시오.';
 export const otherWeights = '나머지 가중치';

@@ -4,7 +4,7 @@ export const texts = {
   keysButton: '단축키',
   keysTitle: '키보드',
   keysSingle: '한 글자 단축키 사용(입력 중에는 작동하지 않음)',
-  keysEverywhere: '모든 버튼, 슬라이더, 그림은 Tab 키로도 옮겨 갈 수 있습니다.',
+  keysEverywhere: '모든 버튼과 슬라이더, 그림에는 Tab 키로도 갈 수 있습니다.',
 };
 
 /** Single keys: what they press. Those of a presenter’s clicker do where nothing has the focus. @type {readonly (readonly [key: string, meaning: string, id: string])[]} */

@@ -33,7 +33,7 @@ export const aPosture = '2,2,45deg와 같은 세 값 x,y,θ';
 export const threeNumbers = '세 수 kx,ky,kθ';
 /** @param {number} most */
 export const gainsUpTo = (most) => `0부터 ${most}까지의 세 수 kx,ky,kθ`;
-export const otherGain = 'x와 다른 이득';
+export const otherGain = 'x에 적힌 것과 다른 이득';
 
 /** @param {number} most */
 export const wholeNumber = (most) => `0 이상 ${most} 이하의 정수`;

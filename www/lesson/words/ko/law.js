@@ -41,7 +41,7 @@ export const law = {
       /** @param {{ arrived: boolean, error: Posture, time: number, farthest: number }} outcome */
       why: ({ arrived, error, time, farthest }) =>
         arrived
-          ? `${fixed(time, 2)}초 뒤에 도착하고, 옆으로는 ${fixed(Math.abs(error.y), 2)} m 벗어날 뿐입니다. 이 출발점은 목표의 바로 뒤에 있습니다. 도는 동안 그 직선에서 ${fixed(farthest, 2)} m 벗어나는 데 그치고, {w}에 있는 {kx}의 항이 로봇을 되돌립니다. 여기서는 {ky}가 없어도 그만입니다. 이 점을 기억해 두십시오.`
+          ? `${fixed(time, 2)}초 뒤에 도착하고, 옆으로는 ${fixed(Math.abs(error.y), 2)} m 벗어날 뿐입니다. 이 출발점은 목표 방향으로 그은 직선 위, 목표의 뒤쪽에 있습니다. 도는 동안 그 직선에서 ${fixed(farthest, 2)} m 벗어나는 데 그치고, {w}에 있는 {kx}의 항이 로봇을 되돌립니다. 여기서는 {ky}가 없어도 그만입니다. 이 점을 기억해 두십시오.`
           : `마지막에 {xe}는 ${fixed(error.x, 2)} m, {ye}는 ${fixed(error.y, 2)} m, {te}는 ${degreesText(error.theta)}입니다.`,
     },
   },
@@ -58,7 +58,7 @@ export const law = {
   notice: [
     '{ye}가 0이면 항 둘만 남습니다. {kx}의 항이 로봇을 달리게 하고 {kt}의 항이 돌게 합니다.',
     '화살표가 붙은 막대는 그림 밖까지 뻗습니다. 제한이 있다면 그때 로봇을 움직이는 것은 법칙이 아니라 제한입니다.',
-    '{w}에는 이득마다 항이 있지만 {v}에는 둘만 있습니다.',
+    '{w}에는 이득마다 항이 있지만 {v}에는 {kx}와 {ky}의 항만 있습니다.',
     'sin {te} = 0일 때 어떻게 할지는 논문에 없습니다. 여기서는 sin {te}의 크기가 0.000001보다 작으면 부호를 지킨 채 0.000001로 봅니다.',
   ],
 };

@@ -39,7 +39,9 @@ export function sentence(anatomy, phase) {
   if (method !== 'ep') return sentenceOfMethod(anatomy, phase, costWriter(anatomy));
   if (generation === 0)
     return phase === 'survivors'
-      ? `로봇 ${count}대가 모두 남아 J 순서로 늘어섭니다. 이들이 1세대의 부모입니다.`
+      ? count === 1
+        ? '이 로봇이 남아 1세대의 부모가 됩니다.'
+        : `로봇 ${count}대가 모두 남아 J 순서로 늘어섭니다. 이들이 1세대의 부모입니다.`
       : `무작위 이득을 가진 로봇 ${count}대를 뽑은 순서대로 보여 줍니다. 아직 경쟁은 없었습니다.`;
   const better = offspring.filter(({ cost }, i) => cost < parents[i].cost).length;
   const stayed = survivors.filter((number) => number < count).length;

@@ -55,7 +55,7 @@ const moves = {
   begin: '새 심플렉스: 하나를 뽑고, 그 점에서 이득마다 한 걸음씩 떨어진 점을 잡습니다.',
   reflection: '반사: 가장 나쁜 꼭짓점을 나머지 셋의 중심에 대하여 뒤집습니다.',
   expansion: '확장: 반사한 점이 모든 꼭짓점보다 좋으므로 두 배 멀리 가 봅니다.',
-  'outside-contraction': '바깥쪽 수축: 반사한 점이 가장 나쁘게 되므로 절반만 가 봅니다.',
+  'outside-contraction': '바깥쪽 수축: 반사한 점이 가장 나쁜 꼭짓점이 되므로 절반만 가 봅니다.',
   'inside-contraction':
     '안쪽 수축: 반사한 점이 모든 꼭짓점보다 나쁘므로 가장 나쁜 꼭짓점 쪽으로 절반을 가 봅니다.',
   shrink: '축소: 수축도 낫지 않아 세 꼭짓점이 가장 좋은 꼭짓점에 절반 다가갑니다.',
@@ -161,7 +161,7 @@ const sentences = {
     survivors(anatomy) {
       const { name } = turnOf(anatomy);
       return isBetter(anatomy)
-        ? `J가 내려가므로 그 자리에 남습니다. ${name}의 다음 걸음은 두 배가 됩니다.`
+        ? `J가 내려가므로 로봇은 그 자리에 남습니다. ${name}의 다음 걸음은 두 배가 됩니다.`
         : `J가 내려가지 않아 되돌아갑니다. ${name}의 다음 걸음은 반대쪽으로 절반입니다.`;
     },
   },
@@ -186,7 +186,7 @@ const sentences = {
         return next.steps
           ? `기울기를 알았습니다. 다음에는 기울기를 따라 ${lengthOf(next.steps)}만큼 내려갑니다.`
           : '기울기를 알 수 없습니다. 이곳의 J가 평평하거나 무한대입니다.';
-      if (isBetter(anatomy)) return 'J가 내려가 그 자리에 남습니다. 기울기를 다시 재고 두 배로 나아갑니다.';
+      if (isBetter(anatomy)) return 'J가 내려가므로 로봇은 그 자리에 남습니다. 기울기를 다시 재고 두 배로 나아갑니다.';
       return next.steps
         ? 'J가 내려가지 않으므로 되돌아가서 절반만 가 봅니다.'
         : '이만큼 가까이에서도 J가 내려가지 않습니다. 기울기를 다시 잽니다.';

@@ -140,7 +140,7 @@ export const noExercise = (reason) => `과제 링크를 읽을 수 없습니다:
 /** @param {number} files */
 export const filesText = (files) => (files === 0 ? '' : `파일 ${files}개와 함께`);
 /** @param {string} name */
-export const pinned = (name) => `고정함: ${name}. 평면과 곡선에 나타납니다.`;
+export const pinned = (name) => `고정함: ${name}. 평면과 “곡선” 화면에 나타납니다.`;
 /** @param {string} name */
 export const unpinned = (name) => `고정을 풂: ${name}.`;
 /** @param {string} name @param {number} most */

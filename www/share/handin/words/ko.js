@@ -29,7 +29,7 @@ export const texts = {
   computing: '계산하는 중…',
   made: '제출물을 만들었습니다.',
   counts: '판정은 주어진 과제로 합니다.',
-  away: '주차에서 해 본 것은 제출되지 않습니다.',
+  away: '“주차” 화면에서 해 본 것은 제출되지 않습니다.',
   toLab: '실험실로',
   backToExercise: '주어진 대로 되돌리기',
 };
