@@ -186,7 +186,8 @@ const sentences = {
         return next.steps
           ? `기울기를 알았습니다. 다음에는 기울기를 따라 ${lengthOf(next.steps)}만큼 내려갑니다.`
           : '기울기를 알 수 없습니다. 이곳의 J가 평평하거나 무한대입니다.';
-      if (isBetter(anatomy)) return 'J가 내려가므로 로봇은 그 자리에 남습니다. 기울기를 다시 재고 두 배로 나아갑니다.';
+      if (isBetter(anatomy))
+        return 'J가 내려가므로 로봇은 그 자리에 남습니다. 기울기를 다시 재고 두 배로 나아갑니다.';
       return next.steps
         ? 'J가 내려가지 않으므로 되돌아가서 절반만 가 봅니다.'
         : '이만큼 가까이에서도 J가 내려가지 않습니다. 기울기를 다시 잽니다.';

@@ -18,7 +18,8 @@ export const evolveAgain = '다시 진화';
 /** @param {number} count */
 export const seedsButton = (count) => `시드 ${count}개`;
 /** @param {number} count */
-export const seedsHint = (count) => `다른 시드로 세 가지를 다시 진화시켜 시드 ${count}개를 하나씩 점으로 표시합니다`;
+export const seedsHint = (count) =>
+  `다른 시드로 세 가지를 다시 진화시켜 시드 ${count}개를 하나씩 점으로 표시합니다`;
 export const cancel = '취소';
 /** @param {number} generations */
 export const generationsChoice = (generations) => `${generations}세대`;
