@@ -46,8 +46,8 @@ export function createErrorPosture(root) {
         ...namesIn(view, ends, scene.driving, false).map(roomOf),
         ...legendRooms([solid, dashed]),
       ];
-      taken.push(...[sample.posture, ends.start, ends.goal].map((posture) => arrowIn(view, posture)));
-      const at = marks.map(({ places, seen }) => (seen ? freeOf(size, places, taken) : places[0]));
+      const arrows = [sample.posture, ends.start, ends.goal].map((posture) => arrowIn(view, posture));
+      const at = marks.map(({ places, seen }) => (seen ? freeOf(size, places, taken, arrows) : places[0]));
       const lines = terms.map(([name, colour], i) => {
         const path = marks[i].seen ? marks[i].path : '';
         return svg`<g data-term=${name}>
@@ -77,11 +77,14 @@ function arrowIn(view, { x, y }) {
 /** Within the plane. @param {number} at @param {number} end */
 const clamp = (at, end) => Math.max(16, Math.min(end - 16, at));
 
-/** The first of these places at which the name meets none of the words, which it then is one of. @param {{ width: number, height: number }} size @param {readonly At[]} places @param {Room[]} taken @returns {At} */
-function freeOf(size, places, taken) {
+/** The first of these places at which the name meets neither words, of which it then is one, nor arrows; if there is none, that meets no words. @param {{ width: number, height: number }} size @param {readonly At[]} places @param {Room[]} taken @param {readonly Room[]} arrows @returns {At} */
+function freeOf(size, places, taken, arrows) {
   const all = places.map(([x, y]) => /** @type {At} */ ([clamp(x, size.width), clamp(y, size.height)]));
   const room = (/** @type {At} */ [x, y]) => ({ left: x - 14, right: x + 14, top: y - 14, bottom: y + 14 });
-  const at = all.find((one) => !taken.some((other) => meet(other, room(one)))) ?? all[0];
+  const isFree = (/** @type {At} */ at, /** @type {readonly Room[]} */ things) =>
+    !things.some((thing) => meet(thing, room(at)));
+  const at =
+    all.find((one) => isFree(one, [...taken, ...arrows])) ?? all.find((one) => isFree(one, taken)) ?? all[0];
   taken.push(room(at));
   return at;
 }
