@@ -86,7 +86,7 @@ export const lecturers = {
         },
         contest: {
           text: '*65 to 73 min.* Step 9: pairs against evolution, each with a seed of their own. Collect the scores.',
-          seen: 'By hand one comes to a mean J of about 13 and parks 26 of 32. Evolution comes below 13 with nearly every seed, at a {ky} that nobody tried.',
+          seen: 'By hand one comes to a mean J of about 13 and parks 26 of 32. Evolution comes below 13 with about seven seeds of eight, at a {ky} that nobody tried.',
         },
         task: {
           text: '*73 to 86 min.* Step 12: one start, many starts, another price. Predict each before it is shown.',
