@@ -46,6 +46,28 @@ test('what a page opens with has nothing before it; the link that is opened next
   assert.deepEqual(told(), [5, 0]);
 });
 
+test('gains by hand that a link replaces come back with all else that it changed, in one step', () => {
+  const { store, actions, open } = pageOf('lab&drives=hand&gains=6.45,5,5&start=1,0,90deg');
+  const told = () => {
+    const { driver, handGains, experiment, versions } = store.get();
+    return [driver, String(handGains), experiment.starts[0].x, versions.past.length];
+  };
+  const own = told();
+  for (const [link, opened] of /** @type {const} */ ([
+    ['lab&drives=hand&gains=3,5,5&start=3,0,90deg', ['hand', '3,5,5', 3, 1]],
+    ['lab&drives=hand&gains=3,0,0&start=1,0,90deg', ['hand', '3,0,0', 1, 1]],
+    ['lab&drives=paper-ep&start=1,0,90deg', ['paper-ep', 'null', 1, 1]],
+  ])) {
+    open(link);
+    assert.deepEqual(told(), opened, link);
+    actions.undo();
+    assert.deepEqual(told(), own, link);
+  }
+  // What drives as before is no step.
+  open('lab&drives=hand&gains=6.45,5,5&start=1,0,90deg&lesson=3');
+  assert.deepEqual(told(), own);
+});
+
 test('nor has a link that takes long to begin', async () => {
   const { store, actions } = pageOf('lab&population=1200&seed=5');
   assert.equal(store.get().computing?.what, 'begin');

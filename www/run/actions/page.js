@@ -7,8 +7,8 @@ import { noErrors } from '../first.js';
 import { isFree } from '../guard.js';
 import { playsPhases } from '../pace.js';
 import { preparedAs } from '../prepared.js';
-import { endsOf, newWork, noTrial, spentOf } from '../state.js';
-import { noVersions } from '../undo.js';
+import { asked, endsOf, newWork, noTrial, spentOf } from '../state.js';
+import { afterHand, noVersions } from '../undo.js';
 import { drawnFor } from '../variant.js';
 
 /** @typedef {Pick<State, 'page' | 'lesson' | 'preset' | 'experiment' | 'generation' | 'driver' | 'handGains' | 'found' | 'trial' | 'pins' | 'exercise' | 'student'>} LinkedRun What defines a run. */
@@ -27,6 +27,10 @@ export const createOpenPage =
     if (page !== places.phases && playsPhases(store.get())) store.update({ evolving: false });
     if (trial !== noTrial) refitBox();
   };
+
+/** Whether others’ gains take the place of those that drive by hand. @param {State} before @param {Pick<LinkedRun, 'driver' | 'handGains'>} run */
+const takesHand = ({ driver, handGains }, run) =>
+  driver === 'hand' && (run.driver !== 'hand' || String(run.handGains) !== String(handGains));
 
 /** What a link holds takes the place of the run, or what is drawn for a student. @param {Basis} basis @param {(newest: number, generation: number) => void} catchUp */
 export function createOpening(basis, catchUp) {
@@ -65,7 +69,9 @@ export function createOpening(basis, catchUp) {
           slices: { ...before.slices, ...Object.fromEntries(slices) },
           robot: shown(),
           // Nothing leads back out of an exercise, and what is locked is not open.
-          ...((hasNoPast || run.exercise !== noExercise) && { versions: noVersions }),
+          ...(hasNoPast || run.exercise !== noExercise
+            ? { versions: noVersions }
+            : takesHand(before, run) && { versions: afterHand(asked(before)) }),
           settings: {
             open: before.settings.open && wayOf(run.exercise, 'settings') === 'free',
             error: null,
