@@ -3,7 +3,7 @@ import { fixed } from '../../../words/numbers.js';
 
 export const disturbance = {
   texts: {
-    slip: `Until now the wheels did exactly what they were told. Now the ground slips: {=push}\u00a0m/s is added to whatever speed the robot drives. It runs past the goal, and there it stands, {=distance}\u00a0m away, for good. The picture beside the plane shows the last centimetres.`,
+    slip: `Until now the wheels did exactly what they were told. Now the ground slips: {=push}\u00a0m/s is added to whatever speed the robot drives. It runs past the goal, and there it stands, {=distance}\u00a0m away, for good. The close-up picture shows the last centimetres.`,
     why: `Why just there? At this place the law commands {=command}\u00a0m/s: backwards, as fast as the ground slides forwards. Nearer to the goal its command {kx} {xe} cos {te} is slower than the ground slides.`,
     theorem: `Must one know how the ground pushes? No: Theorem 2 asks only for a *bound*. The push {d1} on the speed never exceeds {e1}, the push {d2} on the turn rate never exceeds {e2}. The pushes add ({ye} sin {te} − {xe} cos {te}) {d1} − {d2} sin {te} to the rate of {V}. As long as each of the three parts in step 4 outweighs its share of what the pushes add, {V} falls:`,
     sets: `Near the goal they cannot all hold: the right side of (6), for one, grows without end. So an error may remain. Solved for the error, each gives a *set* around zero: a coloured band under the curves, a strip in the picture of the last centimetres. *Larger gains, smaller sets*: so, says the paper, one chooses gains for an error that one allows.`,

@@ -6,7 +6,7 @@ const heightText = (V) => (V < 1e4 ? fixed(V, 2) : costText(V));
 
 export const stability = {
   texts: {
-    bowl: `Three errors are hard to watch at once. So take one number for all of them, {V}. Think of a bowl, the one beside the plane: {V} is how high the robot stands on its wall. It is zero only at the bottom, where the robot is parked. At {=time} s it is {=V}. Play the drive, and watch the robot roll.`,
+    bowl: `Three errors are hard to watch at once. So take one number for all of them, {V}. Think of a bowl, the one in the picture: {V} is how high the robot stands on its wall. It is zero only at the bottom, where the robot is parked. At {=time} s it is {=V}. Play the drive, and watch the robot roll.`,
     falls: `Now the trick. The law was *built* so that {V} can only fall. To see it, one needs to know how the errors move when the robot drives at {v} and {w}; {vr} and {wr}, the goal’s own speed and turn rate, are 0 for a goal at rest:`,
     chain: `How fast does {V} change? By the chain rule:`,
     left: `What is left is the rate at which {V} changes. It proves the paper’s Theorem 1, that the errors go to zero; for its proof the paper refers to an earlier paper, so this proof is ours:`,
