@@ -58,7 +58,7 @@ class Experiment(TypedDict):
 
     #: The control law: (5) of the paper, or the rule of Kanayama et al. (1990).
     law: Law
-    #: Where the robot starts; with several, its cost is the mean over all of them.
+    #: Where the robot starts: 1 to 10 000 postures. With several, its cost is the mean over all of them.
     starts: List[Posture]
     #: The reference posture p_r.
     goal: Posture
@@ -68,7 +68,7 @@ class Experiment(TypedDict):
     referenceVelocity: Velocity
     #: Seconds between two commands.
     sampleTime: float
-    #: Seconds after which a robot that has not arrived is stopped.
+    #: Seconds after which a robot that has not arrived is stopped; at most 100 000 times ``sampleTime``.
     horizon: float
     #: Limits of velocity and acceleration.
     limits: Limits
@@ -429,14 +429,14 @@ class _Grid(TypedDict):
     x: Range
     #: Metres.
     y: Range
-    #: How many headings at each position.
+    #: How many headings at each position: 1 to 1024.
     headings: int
 
 
 class Grid(_Grid, total=False):
     """Start postures at every position of a grid, with ``headings`` headings each, evenly around the circle from 0."""
 
-    #: The starts [first, end) to take; all when left out. All headings of a position stand together, then x varies, then y.
+    #: The starts [first, end) to take, at most 10 000 in one call; all when left out. All headings of a position stand together, then x varies, then y.
     part: Sequence[int]
 
 
@@ -483,7 +483,7 @@ class _StartGrid(TypedDict):
     x: Range
     #: Metres.
     y: Range
-    #: How many headings at each position.
+    #: How many headings at each position: 1 to 1024.
     headings: int
 
 
@@ -636,7 +636,7 @@ class Circle(TypedDict):
     y: float
     #: How far they are from it.
     radius: float
-    #: How many.
+    #: How many: 1 to 10 000.
     count: int
     #: The seed of their headings.
     seed: int

@@ -30,7 +30,7 @@ record! { input
     pub struct Experiment {
         /// The control law: (5) of the paper, or the rule of Kanayama et al. (1990).
         pub law: Law => "law",
-        /// Where the robot starts; with several, its cost is the mean over all of them.
+        /// Where the robot starts: 1 to 10 000 postures. With several, its cost is the mean over all of them.
         pub starts: Vec<Posture> => "starts" in Allowed::whole(1, MAX_STARTS),
         /// The reference posture p_r.
         pub goal: Posture => "goal",
@@ -40,7 +40,7 @@ record! { input
         pub reference_velocity: Velocity => "referenceVelocity",
         /// Seconds between two commands.
         pub sample_time: f64 => "sampleTime" in Allowed::within("s", 1e-5, 10.0),
-        /// Seconds after which a robot that has not arrived is stopped.
+        /// Seconds after which a robot that has not arrived is stopped; at most 100 000 times `sampleTime`.
         pub horizon: f64 => "horizon" in Allowed::within("s", 1e-5, 1e5),
         /// Limits of velocity and acceleration.
         pub limits: Limits => "limits",

@@ -56,7 +56,7 @@ record! { required (Copy)
         pub from: f64 => "from",
         /// The last value.
         pub to: f64 => "to",
-        /// How many values.
+        /// How many values: 1 to 1024.
         pub count: u32 => "count" in AXIS_COUNT,
         /// Whether they are spaced evenly in the logarithm.
         pub log: bool => "log" [optional],

@@ -22,7 +22,7 @@ record! { required (Copy)
         pub y: f64 => "y" in METRES,
         /// How far they are from it.
         pub radius: f64 => "radius" in Allowed::within("m", 0.0, METRES.max),
-        /// How many.
+        /// How many: 1 to 10 000.
         pub count: u32 => "count" in Allowed::whole(1, MAX_STARTS),
         /// The seed of their headings.
         pub seed: u32 => "seed" in Allowed::SEED,
@@ -59,7 +59,7 @@ record! { required (Copy)
         pub from: f64 => "from",
         /// The last value.
         pub to: f64 => "to",
-        /// How many.
+        /// How many: 1 to 1024.
         pub count: u32 => "count" in AXIS_COUNT,
     }
 }
@@ -106,9 +106,9 @@ told! {
         "x" => |grid| &grid.x,
         /// Metres.
         "y" => |grid| &grid.y,
-        /// How many headings at each position.
+        /// How many headings at each position: 1 to 1024.
         "headings" => |grid| grid.headings,
-        /// The starts [first, end) to take; all when left out. All headings of a position stand together, then x varies, then y.
+        /// The starts [first, end) to take, at most 10 000 in one call; all when left out. All headings of a position stand together, then x varies, then y.
         "part" [optional] => |grid| [0, grid.most()],
     }
 }
@@ -196,7 +196,7 @@ told! {
         "x" => |given| &given.grid.x,
         /// Metres.
         "y" => |given| &given.grid.y,
-        /// How many headings at each position.
+        /// How many headings at each position: 1 to 1024.
         "headings" => |given| given.grid.headings,
         /// The starts [first, end) to drive from; all when left out, in the order of `Grid`.
         "part" [optional] => |given| [0, given.grid.most()],

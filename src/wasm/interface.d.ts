@@ -7,7 +7,7 @@
 export interface Experiment {
   /** The control law: (5) of the paper, or the rule of Kanayama et al. (1990). */
   law: Law;
-  /** Where the robot starts; with several, its cost is the mean over all of them. */
+  /** Where the robot starts: 1 to 10 000 postures. With several, its cost is the mean over all of them. */
   starts: Posture[];
   /** The reference posture p_r. */
   goal: Posture;
@@ -19,7 +19,7 @@ export interface Experiment {
   referenceVelocity: Velocity;
   /** Seconds between two commands. */
   sampleTime: number;
-  /** Seconds after which a robot that has not arrived is stopped. */
+  /** Seconds after which a robot that has not arrived is stopped; at most 100 000 times `sampleTime`. */
   horizon: number;
   /** Limits of velocity and acceleration. */
   limits: Limits;
@@ -373,7 +373,7 @@ export interface Axis {
   from: number;
   /** The last value. */
   to: number;
-  /** How many values. */
+  /** How many values: 1 to 1024. */
   count: number;
   /** Whether they are spaced evenly in the logarithm. */
   log?: boolean;
@@ -388,9 +388,9 @@ export interface Grid {
   x: Range;
   /** Metres. */
   y: Range;
-  /** How many headings at each position. */
+  /** How many headings at each position: 1 to 1024. */
   headings: number;
-  /** The starts [first, end) to take; all when left out. All headings of a position stand together, then x varies, then y. */
+  /** The starts [first, end) to take, at most 10 000 in one call; all when left out. All headings of a position stand together, then x varies, then y. */
   part?: [number, number];
 }
 /** `count` values from `from` to `to`, evenly spaced. */
@@ -399,7 +399,7 @@ export interface Range {
   from: number;
   /** The last value. */
   to: number;
-  /** How many. */
+  /** How many: 1 to 1024. */
   count: number;
 }
 /** What the control law makes of an error posture. */
@@ -437,7 +437,7 @@ export interface StartGrid {
   x: Range;
   /** Metres. */
   y: Range;
-  /** How many headings at each position. */
+  /** How many headings at each position: 1 to 1024. */
   headings: number;
   /** The starts [first, end) to drive from; all when left out, in the order of `Grid`. */
   part?: [number, number];
@@ -574,7 +574,7 @@ export interface Circle {
   y: number;
   /** How far they are from it. */
   radius: number;
-  /** How many. */
+  /** How many: 1 to 10 000. */
   count: number;
   /** The seed of their headings. */
   seed: number;
