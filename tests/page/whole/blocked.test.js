@@ -1,5 +1,6 @@
 // Whatever is asked for, the page's own thread is never held for long: what takes long goes to workers, and comes to the same.
 import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
 import { isLongDrive, isLongEvolution, isLongRecord, isLongReplay } from '../../../www/core/bounds.js';
 import { Pending } from '../../../www/core/pending.js';
 import { links } from '../../../www/lesson/links.js';
@@ -51,14 +52,19 @@ test('a record is that of the run which is asked for, also once another has begu
   }
 });
 
-test('where the reference turns so far in a sample that robots drive alone, a generation is long eight times as early', () => {
+test('where the reference turns so far in a sample that robots drive alone, a generation is long eight times as early', async () => {
+  const core = await readFile(new URL('../../../src/number/real.rs', import.meta.url), 'utf8');
+  const [, above, below] = /const SMALL_TURN: f64 = ([\d.]+) \/ ([\d.]+);/.exec(core) ?? [];
+  const farTurn = Number(above) / Number(below);
   const turning = (/** @type {number} */ angular, /** @type {number} */ population) => ({
     ...evolving({ population, opponents: 1 }),
     referenceVelocity: { linear: 0.5, angular },
   });
-  // The usual sample time is 0.01 s, and a robot drives 1000 samples.
-  for (const angular of [7, -7, 0]) assert.ok(!isLongEvolution(turning(angular, 1000)), `${angular} rad/s`);
-  for (const angular of [7.2, -7.2]) {
+  // A robot drives 1000 samples.
+  const rate = farTurn / usual.sampleTime;
+  for (const angular of [0.99 * rate, -0.99 * rate, 0])
+    assert.ok(!isLongEvolution(turning(angular, 1000)), `${angular} rad/s`);
+  for (const angular of [1.01 * rate, -1.01 * rate]) {
     assert.ok(isLongEvolution(turning(angular, 1000)), `${angular} rad/s`);
     assert.ok(!isLongEvolution(turning(angular, 170)), `${angular} rad/s`);
   }
