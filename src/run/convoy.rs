@@ -20,6 +20,17 @@ const TEAMS: usize = 12;
 /// processor's memory.
 const PART: usize = 8192;
 
+/// What a sample of all teams may hold.
+#[derive(Clone, Copy, PartialEq)]
+enum Course {
+    /// Nobody is disturbed, and no limit lets anybody turn far.
+    Gentle,
+    /// Nobody is disturbed.
+    Undisturbed,
+    /// Anything.
+    Disturbed,
+}
+
 impl Setting {
     /// J of each of these gains, the mean over the start postures.
     ///
@@ -98,20 +109,20 @@ impl Setting {
         }
         if self.experiment().disturbance.kind != DisturbanceKind::None {
             teams.iter_mut().for_each(|team| team.draw_disturbances(samples));
-            drive_teams(&rules, teams, samples, true, true);
+            drive_teams(&rules, teams, samples, Course::Disturbed);
         } else if let Some(rules) = rules.parking::<false>() {
-            drive_teams(&rules, teams, samples, false, false);
+            drive_teams(&rules, teams, samples, Course::Gentle);
         } else if let Some(rules) = rules.parking::<true>() {
-            drive_teams(&rules, teams, samples, false, false);
+            drive_teams(&rules, teams, samples, Course::Gentle);
         } else {
-            drive_teams(&rules, teams, samples, false, true);
+            drive_teams(&rules, teams, samples, Course::Undisturbed);
         }
     }
 }
 
 /// Each sample in two halves, each for all teams in turn: the processor then works at several teams at once.
 #[inline(always)]
-fn drive_teams(rules: &Rules, teams: &mut [Team], samples: usize, noisy: bool, turns_far: bool) {
+fn drive_teams(rules: &Rules, teams: &mut [Team], samples: usize, course: Course) {
     for sample in 0..samples {
         for Team { robots, gains, extremes, .. } in &mut *teams {
             let error = &robots.error;
@@ -122,8 +133,9 @@ fn drive_teams(rules: &Rules, teams: &mut [Team], samples: usize, noisy: bool, t
             (*robots, _) = rules.decided(robots, gains);
         }
         for Team { robots, disturbances, extremes, .. } in &mut *teams {
-            let (next, arc) = rules.moved(robots, noisy.then(|| disturbances[sample]));
-            if turns_far {
+            let disturbance = (course == Course::Disturbed).then(|| disturbances[sample]);
+            let (next, arc) = rules.moved(robots, disturbance);
+            if course != Course::Gentle {
                 let rate = arc.turn_rate();
                 extremes.largest_turn_rate = extremes.largest_turn_rate.at_least(rate * rate);
             }
