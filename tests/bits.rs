@@ -34,7 +34,7 @@ fn a_million_normals_have_the_same_bits_everywhere() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_hash_of_a_history_is_that_of_all_its_numbers_one_after_the_other() {
+fn the_hash_of_a_history_is_that_of_its_gains_sigmas_costs_opponents_wins_and_survivors() {
     let evolution = evolved(velocity_limits(), 5);
     let mut words = Vec::new();
     for record in records(&evolution) {
