@@ -2,6 +2,9 @@
 //! All of them stand in `golden.json`, which the page checks too, in the visitor's browser.
 
 mod common;
+#[allow(dead_code)] // its `main`
+#[path = "../examples/paper.rs"]
+mod paper;
 
 use common::json::Given;
 use common::{assert_close, evolved, searched_by, valid, velocity_limits};
@@ -132,6 +135,18 @@ fn three_runs_of_the_papers_gains() {
             assert_relative(value, *expected, tolerance);
         }
     }
+}
+
+/// What `cargo run --release --example paper` prints, with one seed.
+#[wasm_bindgen_test(unsupported = test)]
+fn the_example_prints_the_papers_results_beside_ours() {
+    let mut told = Vec::new();
+    paper::write(&mut told, 1).expect("text");
+    let told = String::from_utf8(told).expect("text");
+    for KnownRun { final_time, cost, .. } in golden().runs.rows {
+        assert!(told.contains(&format!("│{cost:9.4} ={final_time:6.2} +")), "{cost}\n{told}");
+    }
+    assert_eq!(told.matches("the same order as in the paper").count(), 2, "{told}");
 }
 
 /// Three seeds of both presets, and seldom used paths: noise, tracking from several starts, no limits with large turns.
