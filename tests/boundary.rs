@@ -93,18 +93,17 @@ fn a_spread_copy_of_an_experiment_is_completed_from_the_preset_that_this_was_mad
     assert!(get(&with(&parsed, "{limits: {}}"), "limits.acceleration").is_null());
 }
 
+/// What is given, and what is said of it.
+#[track_caller]
+fn assert_refused(cases: &[(&str, &str)]) {
+    for (given, expected) in cases {
+        assert_eq!(message(experiment(js(given))), *expected, "{given}");
+    }
+}
+
 #[wasm_bindgen_test]
-fn a_wrong_experiment_is_refused_by_name() {
-    for (given, expected) in [
-        ("null", "experiment must be an object, but was null"),
-        ("undefined", "experiment must be an object, but was undefined"),
-        ("7", "experiment must be an object, but was 7"),
-        ("[]", "experiment must be an object, but was an array of 0"),
-        ("{goal: null}", "goal must be an object, but was null"),
-        (
-            "{goal: {z: 1}}",
-            "goal must be an object with no fields but x, y, theta, but was one with 'z'",
-        ),
+fn a_wrong_field_is_refused_by_name() {
+    assert_refused(&[
         ("{goal: {x: '1'}}", "goal.x must be a number from -1000 to 1000 m, but was '1'"),
         ("{goal: {x: NaN}}", "goal.x must be a number from -1000 to 1000 m, but was NaN"),
         ("{goal: {x: null}}", "goal.x must be a number from -1000 to 1000 m, but was null"),
@@ -154,6 +153,21 @@ fn a_wrong_experiment_is_refused_by_name() {
             "{disturbance: {kind: 'wind'}}",
             "disturbance.kind must be 'none' or 'random' or 'slip', but was 'wind'",
         ),
+    ]);
+}
+
+#[wasm_bindgen_test]
+fn what_is_no_experiment_is_refused_by_name() {
+    assert_refused(&[
+        ("null", "experiment must be an object, but was null"),
+        ("undefined", "experiment must be an object, but was undefined"),
+        ("7", "experiment must be an object, but was 7"),
+        ("[]", "experiment must be an object, but was an array of 0"),
+        ("{goal: null}", "goal must be an object, but was null"),
+        (
+            "{goal: {z: 1}}",
+            "goal must be an object with no fields but x, y, theta, but was one with 'z'",
+        ),
         (
             "{[Symbol.iterator]: 1}",
             "experiment must be an object with no fields but law, starts, goal, referenceVelocity, sampleTime, horizon, limits, tolerance, weights, disturbance, evolution, but was one with 'a symbol'",
@@ -182,9 +196,7 @@ fn a_wrong_experiment_is_refused_by_name() {
             "{goal: {constructor: {}}}",
             "goal must be an object with no fields but x, y, theta, but was one with 'constructor'",
         ),
-    ] {
-        assert_eq!(message(experiment(js(given))), expected, "{given}");
-    }
+    ]);
     assert_eq!(
         message(experiment("figure-4".into())),
         "experiment must be 'velocity-limits' or 'acceleration-limits', but was 'figure-4'"
