@@ -1,7 +1,7 @@
 // The settings of an experiment: the one table from which the panel is built. Names and help are in the words, units and allowed ranges in the core's fields.
 /** @import { Experiment } from '../core/engine.js' */
 /** @import { SliderRange } from './quantity.js' */
-import { hasSigmas } from '../core/methods.js';
+import { methods } from '../core/methods.js';
 
 /** @typedef {import('../words/en/settings.js').GroupName} GroupName */
 /** @typedef {{ letter: string, index?: string, colour?: 'x' | 'y' | 'theta' | 'linear' | 'angular' }} Symbol */
@@ -27,9 +27,9 @@ const isNoEp = ({ evolution }) => evolution.method !== 'ep';
 const isWithoutTournament = ({ evolution }) =>
   evolution.method !== 'ep' || evolution.selection !== 'tournament';
 /** @param {Experiment} experiment */
-const goesPointByPoint = ({ evolution }) => !['ep', 'random', 'de', 'cma-es'].includes(evolution.method);
-/** The first simplex has edges of that length. @param {Experiment} experiment */
-const hasNoStep = ({ evolution: { method } }) => !hasSigmas(method) && method !== 'nelder-mead';
+const goesPointByPoint = ({ evolution }) => methods[evolution.method].trials !== 'population';
+/** @param {Experiment} experiment */
+const hasNoStep = ({ evolution }) => methods[evolution.method].sigma === null;
 
 /** @type {Readonly<Record<GroupName, readonly Row[]>>} */
 export const table = {

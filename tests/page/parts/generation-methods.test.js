@@ -1,5 +1,6 @@
 // What Generation shows of each method is what the core's record says of it.
 import assert from 'node:assert/strict';
+import { methods } from '../../../www/core/methods.js';
 import { dissect } from '../../../www/parts/generation/record.js';
 import { phasesOf, shownIn } from '../../../www/parts/generation/phases.js';
 import { pointsOf, sketchOf } from '../../../www/parts/generation/sketch.js';
@@ -14,15 +15,9 @@ import { test } from '../harness/once.js';
 /** @typedef {import('../../../www/parts/generation/record.js').Method} Method */
 
 const base = experiment('velocity-limits');
-const rivals = /** @type {const} */ ([
-  'random',
-  'de',
-  'cma-es',
-  'one-plus-one-es',
-  'nelder-mead',
-  'one-at-a-time',
-  'finite-differences',
-]);
+const rivals = /** @type {readonly Exclude<Method, 'ep'>[]} */ (
+  Object.keys(methods).filter((method) => method !== 'ep')
+);
 
 /** @param {Method} method @param {number} generations @param {Partial<typeof base.evolution>} [change] @returns {Anatomy[]} */
 function anatomiesOf(method, generations, change = {}) {

@@ -1,9 +1,9 @@
 // The offspring of a generation, each with its drive beside its parent's: what the phase Drive does, seen at once.
 import { html, render } from 'lit-html';
+import { forgets } from '../../core/methods.js';
 import { create } from '../../kit/elements.js';
 import { remember, watch } from '../../kit/memo.js';
 import { generationSlice } from '../../parts/generation/state.js';
-import { forgets } from '../../parts/generation/phases.js';
 import { isInitial, partnerOf } from '../../parts/generation/record.js';
 import { fixed, powerText } from '../../words/numbers.js';
 import { anatomyOf, chosenIn } from '../anatomy.js';

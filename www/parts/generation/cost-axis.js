@@ -2,10 +2,10 @@
 /** @import { Size } from './places.js' */
 /** @import { PictureModel } from './picture.js' */
 import { tickStep, ticks as ticksOf } from 'd3-array';
+import { hasPairs } from '../../core/methods.js';
 import { sameDigits } from '../../kit/chart.js';
 import { svg } from '../../kit/elements.js';
 import words from './words/index.js';
-import { hasPairs } from './phases.js';
 import { columnsOf, heightOf, margin } from './places.js';
 import { isInitial } from './record.js';
 

@@ -5,12 +5,12 @@
 /** @import { Successes } from './detail-methods.js' */
 /** @import { Anatomy, Phase } from './record.js' */
 import { html, nothing } from 'lit-html';
+import { forgets, methods } from '../../core/methods.js';
 import { winsBout } from '../../core/rules.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
 import { bell, shareOf } from './bell.js';
 import { birthOf, grownSigma, movedGain } from './birth.js';
-import { forgets } from './phases.js';
 import { becoming, gainRows, headline, link, rulesOf, symbol } from './detail.js';
 import { learntBy, madeBy, standsBy, weighedBy } from './detail-methods.js';
 import { isInitial, partnerOf } from './record.js';
@@ -125,7 +125,7 @@ const contents = {
     const isProbed = method === 'finite-differences' && !record.plan.steps;
     const told = () => html`
       <p>${isProbed ? words.probedText(write(after), best(record.offspring) < after) : words.bestText(method, best(record.parents), after, write)}</p>
-      ${method === 'ep' || method === 'de' ? upset(anatomy) : learntBy(anatomy, successes)}`;
+      ${methods[method].upsets ? upset(anatomy) : learntBy(anatomy, successes)}`;
     return html`
       ${headline(anatomy, chosen, `J ${write(all[chosen].cost)}`, words.fateText(anatomy, chosen))}
       ${isInitial(record) ? nothing : told()}`;

@@ -1,8 +1,8 @@
 // The individuals of the picture as marks, and the lines between parents and offspring.
 /** @import { Place } from './places.js' */
 /** @import { PictureModel } from './picture.js' */
+import { forgets, hasPairs } from '../../core/methods.js';
 import { svg } from '../../kit/elements.js';
-import { forgets, hasPairs } from './phases.js';
 import { trialOf } from './record.js';
 
 /** More than that move too slowly, and nobody can follow them: they have no elements of their own. */

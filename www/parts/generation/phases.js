@@ -1,9 +1,9 @@
 // What a generation of each method goes through, and what its pictures show: how high each J is, or where the gains lie.
-/** @import { Experiment, GenerationRecord } from '../../core/engine.js' */
+/** @import { GenerationRecord } from '../../core/engine.js' */
+/** @import { Method } from '../../core/methods.js' */
 /** @import { Phase } from './state.js' */
 import { phases } from './state.js';
 
-/** @typedef {Experiment['evolution']['method']} Method */
 /** @typedef {'costs' | 'gains'} Shown */
 
 /** From point to point. */
@@ -45,10 +45,3 @@ export function phasesOf({ method, record }) {
   const all = phasesOfMethod(method);
   return record.opponents.length > 0 ? all : all.filter((phase) => phase !== 'tournament');
 }
-
-/** Whether each offspring has a parent of its own. @param {Method} method */
-export const hasPairs = (method) =>
-  method === 'ep' || method === 'de' || method === 'one-plus-one-es' || method === 'one-at-a-time';
-
-/** Whether nothing that was driven before is kept. @param {Method} method */
-export const forgets = (method) => method === 'random' || method === 'cma-es';

@@ -1,7 +1,7 @@
 // Where the individuals stand in the picture: how high is their J, and across by pairs or by rank.
 /** @import { Anatomy, Phase } from './record.js' */
 import { scaleLinear } from 'd3-scale';
-import { forgets, hasPairs } from './phases.js';
+import { forgets, hasPairs } from '../../core/methods.js';
 
 /** @typedef {{ width: number, height: number }} Size */
 /** @typedef {{ x: number, y: number }} Place */

@@ -2,15 +2,16 @@
 /** @import { Engine, Experiment, Individual, Statistics } from '../../core/engine.js' */
 /** @import { ChosenDrives } from '../../run/scene.js' */
 /** @import { State } from '../../run/state.js' */
+import { forgets, methods } from '../../core/methods.js';
 import { expectedWins } from '../../core/rules.js';
 import { remember } from '../../kit/memo.js';
 import words from './words/index.js';
-import { forgets, phasesOf } from './phases.js';
+import { phasesOf } from './phases.js';
 import { generationSlice, phases } from './state.js';
 
 /** @typedef {import('../../core/engine.js').GenerationRecord} GenerationRecord */
 /** What must be known of a search besides its record; `initialRange` is that of the first gains. @typedef {Pick<Experiment['evolution'], 'method' | 'initialRange' | 'step' | 'belowZero' | 'sigmaFloor'>} Settings */
-/** @typedef {import('./phases.js').Method} Method */
+/** @typedef {import('../../core/methods.js').Method} Method */
 /** @typedef {import('./state.js').Phase} Phase */
 /** @typedef {import('./state.js').GenerationState} GenerationState */
 /** @typedef {{ survivor: number, fallen: number }} Upset One that survives though a better one fell. */
@@ -55,7 +56,7 @@ export function dissect(record, settings = papers) {
     all,
     ranking,
     ranks,
-    upset: method === 'ep' || method === 'de' ? upsetOf(record, all) : null,
+    upset: methods[method].upsets ? upsetOf(record, all) : null,
     expected: expectedIn(record, all),
   };
 }

@@ -72,8 +72,10 @@ export function centreOf([a, b, c]) {
   return [mean(0), mean(1), mean(2)];
 }
 
-/** @type {Readonly<Partial<Record<Method, Draw>>>} */
+/** @type {Readonly<Record<Method, Draw>>} */
 const drawings = {
+  ep: () => ({}),
+
   random({ initialRange }) {
     const [low, high] = initialRange.map((end) => /** @type {Triple} */ ([end, end, end]));
     /** @param {Shadow} shadow @returns {Place[]} */
@@ -184,7 +186,7 @@ export const sketchOf = (anatomy, phase, chosen) => ({
   rings: [],
   lines: [],
   names: [],
-  ...drawings[anatomy.method]?.(anatomy, phase, chosen),
+  ...drawings[anatomy.method](anatomy, phase, chosen),
 });
 
 /** So many deviations in every gain. @param {Ellipsoid} ellipse @param {number} factor @returns {Triple} */

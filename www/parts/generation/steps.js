@@ -2,11 +2,11 @@
 /** @import { State } from '../../run/state.js' */
 /** @import { Anatomy, GenerationState, Phase } from './record.js' */
 import { generationSlice } from './state.js';
+import { forgets } from '../../core/methods.js';
 import { whenThere } from '../../core/pending.js';
 import { watch } from '../../kit/memo.js';
 import { pausesAt, playsPhases } from '../../run/pace.js';
 import { orSay } from '../../words/errors.js';
-import { forgets } from './phases.js';
 import { chosenOf, phaseAfter, phaseOf } from './record.js';
 import words from './words/index.js';
 

@@ -1,8 +1,7 @@
 // The whole generation as a table.
 /** @import { Anatomy } from './record.js' */
-import { hasSigmas } from '../../core/methods.js';
+import { hasPairs, hasSigmas } from '../../core/methods.js';
 import words from './words/index.js';
-import { hasPairs } from './phases.js';
 import { isInitial } from './record.js';
 
 /** @param {Anatomy} anatomy @returns {import('../../kit/table.js').Table} */

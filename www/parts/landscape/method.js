@@ -1,7 +1,9 @@
 // What a method other than the paper's sees of the land: the ellipse of CMA-ES, the differences of DE, the simplex of Nelder and Mead,
 // and of the others the step that was tried. In gains; the map draws it.
-/** @import { Experiment, GenerationRecord } from '../../core/engine.js' */
+/** @import { GenerationRecord } from '../../core/engine.js' */
+/** @import { Method } from '../../core/methods.js' */
 /** @import { Place, Shadow } from '../../kit/ellipse.js' */
+import { methods } from '../../core/methods.js';
 import { ringOf } from '../../kit/ellipse.js';
 
 /**
@@ -13,8 +15,8 @@ import { ringOf } from '../../kit/ellipse.js';
 
 const none = /** @type {Sketch} */ ({ rings: [], lines: [], faint: [] });
 
-/** Whether each robot steps from where it stands, and by the σ that it has. @param {Experiment['evolution']['method']} method */
-export const hasCrosses = (method) => method === 'ep' || method === 'one-plus-one-es';
+/** Whether each robot steps from where it stands, and by the σ that it has. @param {Method} method */
+export const hasCrosses = (method) => methods[method].sigma === 'robot';
 
 /** @param {GenerationRecord} record @param {Shadow} shadow @returns {Sketch} */
 function differences({ parents, offspring, donors, survivors }, shadow) {
@@ -50,25 +52,28 @@ function simplex({ parents, offspring, survivors }, shadow) {
   return { ...none, lines, faint: beyond ? corners.map((one) => [shadow(one), shadow(beyond)]) : [] };
 }
 
-/** @param {Experiment['evolution']['method']} method @param {GenerationRecord} record @param {Shadow} shadow @returns {Sketch} */
-export function sketchOf(method, record, shadow) {
-  const { ellipse, parents, offspring } = record;
-  switch (method) {
-    case 'cma-es':
-      return ellipse
-        ? { ...none, rings: [1, 2].map((deviations) => ringOf(ellipse, shadow, deviations)) }
-        : none;
-    case 'de':
-      return differences(record, shadow);
-    case 'nelder-mead':
-      return record.generation === 0
-        ? simplex({ ...record, offspring: [] }, shadow)
-        : simplex(record, shadow);
-    case 'one-plus-one-es':
-    case 'one-at-a-time':
-    case 'finite-differences':
-      return { ...none, lines: offspring.map(({ gains }) => [shadow(parents[0].gains), shadow(gains)]) };
-    default:
-      return none;
-  }
-}
+/** What was tried, from where. @param {GenerationRecord} record @param {Shadow} shadow @returns {Sketch} */
+const steps = ({ parents, offspring }, shadow) => ({
+  ...none,
+  lines: offspring.map(({ gains }) => [shadow(parents[0].gains), shadow(gains)]),
+});
+
+/** Of those without one, robots and crosses are all. @type {Readonly<Record<Method, ((record: GenerationRecord, shadow: Shadow) => Sketch) | null>>} */
+const drawings = {
+  ep: null,
+  random: null,
+  de: differences,
+  'cma-es': ({ ellipse }, shadow) =>
+    ellipse ? { ...none, rings: [1, 2].map((deviations) => ringOf(ellipse, shadow, deviations)) } : none,
+  'one-plus-one-es': steps,
+  'nelder-mead': (record, shadow) =>
+    simplex(record.generation === 0 ? { ...record, offspring: [] } : record, shadow),
+  'one-at-a-time': steps,
+  'finite-differences': steps,
+};
+
+/** @param {Method} method */
+export const hasSketch = (method) => drawings[method] !== null;
+
+/** @param {Method} method @param {GenerationRecord} record @param {Shadow} shadow */
+export const sketchOf = (method, record, shadow) => drawings[method]?.(record, shadow) ?? none;

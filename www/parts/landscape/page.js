@@ -19,7 +19,7 @@ import { createSection } from '../section.js';
 import words from './words/index.js';
 import { createLandscapeRequests, createSpec, gainsAt } from './request.js';
 import { isOn, lowestOf } from './lowest.js';
-import { hasCrosses, sketchOf } from './method.js';
+import { hasCrosses, hasSketch, sketchOf } from './method.js';
 import { createSight } from './sight.js';
 import { axesOf, createMap } from './view.js';
 
@@ -97,7 +97,7 @@ function createSketches(engine, redraw) {
     },
   );
   return (/** @type {State} */ { history, generation, experiment }, /** @type {Spec} */ { x, y }) => {
-    if (experiment.evolution.method === 'ep' || experiment.evolution.method === 'random') return null;
+    if (!hasSketch(experiment.evolution.method)) return null;
     /** @type {ReturnType<typeof sketch> | null} */
     let found = null;
     tryNow(() => {

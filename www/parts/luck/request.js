@@ -4,6 +4,7 @@
 /** @import { Store } from '../../run/store.js' */
 /** @import { LuckState } from './state.js' */
 import { luckSlice } from './state.js';
+import { methods } from '../../core/methods.js';
 import { gainsOf } from '../../run/drivers.js';
 import { rememberEach } from '../../kit/memo.js';
 import { hidesPaper } from '../../run/exercise.js';
@@ -24,15 +25,10 @@ import { summaryOf } from './statistics.js';
 
 const firstSeed = 1;
 
-/** How many robots a search tries in each generation; null: that depends on how they fare. @param {Experiment['evolution']} evolution */
-function trialsOf({ method, population }) {
-  if (method === 'nelder-mead' || method === 'finite-differences') return null;
-  return method === 'one-plus-one-es' || method === 'one-at-a-time' ? 1 : population;
-}
-
 /** Of a search with one seed; null where it is another number with each. @param {Experiment} experiment @param {number} generations */
 export function drivesOf({ evolution, starts }, generations) {
-  const trials = trialsOf(evolution);
+  const { trials: own } = methods[evolution.method];
+  const trials = own === 'population' ? evolution.population : own;
   return trials && trials * (generations + 1) * starts.length;
 }
 

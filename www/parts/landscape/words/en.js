@@ -48,9 +48,10 @@ export const paperEp = 'paper’s EP';
 export const paperArbitrary = 'paper’s arbitrary';
 export const hand = 'by hand';
 
-/** What is drawn of a method, beside its robots. @type {Readonly<Partial<Record<import('../../../core/engine.js').Experiment['evolution']['method'], string>>>} */
+/** What is drawn of a method, beside its robots. @type {Readonly<Record<import('../../../core/methods.js').Method, string>>} */
 const sketches = {
   ep: 'Crosses: one σ.',
+  random: '',
   'cma-es':
     'The ellipses are the distribution that these robots were drawn from, at one and at two standard deviations.',
   de: 'The other lines lead to the trials: each begins at a robot and goes by half the difference of two others. Solid: the trial took a place; its difference is dashed.',
@@ -64,5 +65,5 @@ const sketches = {
 /** Marks that are not in the slice. @param {string} name Of the gain that is on no axis. */
 export const paler = (name) => `Paler: another ${name}.`;
 
-/** @param {import('../../../core/engine.js').Experiment['evolution']['method']} method */
-export const methodSketch = (method) => `Line: the best so far. ${sketches[method] ?? ''}`.trim();
+/** @param {import('../../../core/methods.js').Method} method */
+export const methodSketch = (method) => `Line: the best so far. ${sketches[method]}`.trim();

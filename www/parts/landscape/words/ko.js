@@ -46,9 +46,10 @@ export const paperEp = '논문 EP';
 export const paperArbitrary = '논문 임의';
 export const hand = '직접 조정';
 
-/** What is drawn of a method, beside its robots. @type {Readonly<Partial<Record<import('../../../core/engine.js').Experiment['evolution']['method'], string>>>} */
+/** What is drawn of a method, beside its robots. @type {Readonly<Record<import('../../../core/methods.js').Method, string>>} */
 const sketches = {
   ep: '십자: 1σ.',
+  random: '',
   'cma-es': '타원은 이 로봇들을 뽑은 분포이며, 표준편차의 1배와 2배입니다.',
   de: '다른 선은 한 로봇에서, 그 로봇을 다른 두 로봇의 차이의 절반만큼 옮겨 시험한 곳까지입니다. 실선이면 자리를 차지했고, 그때의 차이는 점선입니다.',
   'nelder-mead':
@@ -61,5 +62,5 @@ const sketches = {
 /** Marks that are not in the slice. @param {string} name Of the gain that is on no axis. */
 export const paler = (name) => `흐린 표시: ${name} 값이 다름.`;
 
-/** @param {import('../../../core/engine.js').Experiment['evolution']['method']} method */
-export const methodSketch = (method) => `선: 지금까지의 최우수. ${sketches[method] ?? ''}`.trim();
+/** @param {import('../../../core/methods.js').Method} method */
+export const methodSketch = (method) => `선: 지금까지의 최우수. ${sketches[method]}`.trim();
