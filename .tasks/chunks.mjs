@@ -1,9 +1,13 @@
 // Into which files the page is divided: few, and none that is run too soon. A file that needs the words of a language must hold
 // nothing that these words need, nor what loads them.
 
+import { languageNames } from '../www/words/language.js';
+
 /** @typedef {{ getModuleInfo: (id: string) => { importers: readonly string[] } | null }} Graph */
 
-const languages = /[\\/]words[\\/](?:[a-z]+-)?(en|ko)([\\/]|\.js$)/;
+const anyLanguage = `(${languageNames.join('|')})`;
+const languages = new RegExp(String.raw`[\\/]words[\\/](?:[a-z]+-)?${anyLanguage}([\\/]|\.js$)`);
+const commonWords = new RegExp(String.raw`[\\/]www[\\/]words[\\/]${anyLanguage}[\\/]`);
 
 /** Whether a module is loaded together with one of these, however far from it. @param {string} id @param {(id: string) => boolean} isOne @param {Graph} graph */
 function isLoadedWith(id, isOne, graph) {
@@ -26,7 +30,7 @@ const files = [
     isLoadedWith(id, (one) => isFirst(one) || languages.test(one), graph)
       ? 'symbols'
       : null,
-  (id) => /[\\/]www[\\/]words[\\/](en|ko)[\\/]/.exec(id)?.[1] ?? null,
+  (id) => commonWords.exec(id)?.[1] ?? null,
   (id, graph) =>
     !languages.test(id) && isLoadedWith(id, (one) => one.endsWith('/www/page.js'), graph) ? 'page' : null,
   // What several parts share; a part alone is in one file by itself, and so are the checks.

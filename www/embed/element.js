@@ -17,6 +17,7 @@
 // A figure loads when it comes near the window, or when it is asked something. src that is set, even to the same, begins another:
 // what the one before was asked is refused, and nothing that it still says is heard.
 /** @import { Experiment } from '../core/engine.js' */
+/** @import { Language } from '../words/language.js' */
 /** @import { Report } from './messages.js' */
 import * as en from '../words/en/element.js';
 import * as ko from '../words/ko/element.js';
@@ -42,7 +43,7 @@ const events = ['ready', 'state', 'generation', 'drive', 'answer', 'handin', 'er
 /** What a link has of its characters: the figure says what is wrong with a longer one. */
 const mostOfLink = 100_000;
 
-/** @type {Record<string, import('../words/index.js').Words<typeof en>>} */
+/** @type {Record<Language | (string & {}), import('../words/index.js').Words<typeof en>>} */
 const languages = { en, ko };
 
 class EpLocomotion extends HTMLElement {

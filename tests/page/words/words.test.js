@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { pageNames } from '../../../www/parts/parts.js';
 import { said } from '../../../www/words/ko/messages.js';
-import { languageOf } from '../../../www/words/language.js';
+import { languageNames, languageOf } from '../../../www/words/language.js';
 import { experiment, wordFields } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { en, ko, latinWord, sameInBoth } from '../harness/words.js';
@@ -110,10 +110,11 @@ const modules = readdirSync(source, { recursive: true, encoding: 'utf8' }).filte
 );
 
 test('no language has anything of the other, so that one is loaded without the other', () => {
+  const place = new RegExp(String.raw`(^|[\\/])(${[...languageNames, 'common'].join('|')})(?=[\\/]|\.js$)`);
   for (const name of modules) {
-    const own = /(^|[\\/])(en|ko|common)(?=[\\/]|\.js$)/.exec(name.replace(/^words/, ''))?.[2];
+    const own = place.exec(name.replace(/^words/, ''))?.[2];
     if (!own) continue;
-    const others = ['en', 'ko'].filter((language) => language !== own).join('|');
+    const others = languageNames.filter((language) => language !== own).join('|');
     const text = readFileSync(join(source, name), 'utf8');
     assert.doesNotMatch(text, new RegExp(`(from|import\\() ?'[^']*\\b(${others})(/|\\.js)`), name);
   }
@@ -144,8 +145,8 @@ test('no view has words of its own language', () => {
     (name) => !/(^|[\\/])words[\\/]/.test(name) && name !== join('embed', 'element.js'),
   );
   assert.ok(views.length > 50);
-  for (const name of views)
-    assert.doesNotMatch(readFileSync(join(source, name), 'utf8'), /from '[^']*words\/(en|ko)(\/|\.js)/, name);
+  const ofLanguage = new RegExp(`from '[^']*words/(${languageNames.join('|')})(/|\\.js)`);
+  for (const name of views) assert.doesNotMatch(readFileSync(join(source, name), 'utf8'), ofLanguage, name);
 });
 
 test('every word of index.html comes from the languages, which have one for each of its places', () => {
