@@ -1,4 +1,4 @@
-// The one transform between the plane in metres and the canvas in pixels.
+// The one transform between the plane in metres and a picture in pixels.
 
 /** @typedef {{ x: number, y: number }} Point Metres. */
 /** @typedef {{ left: number, right: number, bottom: number, top: number }} Box Metres. */
@@ -28,6 +28,31 @@ export function boxAround(points) {
   return { left, right, bottom, top };
 }
 
+/** With a centre at a place of the picture. @param {Point} centre @param {number} scale Pixels a metre. @param {number} [px] @param {number} [py] Pixels. */
+export function viewAt({ x, y }, scale, px = 0, py = 0) {
+  const originX = px - x * scale;
+  const originY = py + y * scale;
+  return {
+    /** Pixels a metre. */
+    scale,
+    originX,
+    originY,
+    /** @param {number} x */
+    screenX: (x) => originX + x * scale,
+    /** @param {number} y */
+    screenY: (y) => originY - y * scale,
+    /** @param {number} px @param {number} py */
+    world: (px, py) => ({ x: (px - originX) / scale, y: (originY - py) / scale }),
+  };
+}
+
+/** All within a radius, in metres. @param {Point} centre @param {number} radius @param {{ width: number, height: number }} size */
+export const viewAround = (centre, radius, { width, height }) =>
+  viewAt(centre, Math.min(width, height) / (2 * radius), width / 2, height / 2);
+
+/** @param {Box} box @returns {Point} */
+export const middleOf = ({ left, right, bottom, top }) => ({ x: (left + right) / 2, y: (bottom + top) / 2 });
+
 /** @param {Box} box @param {{ width: number, height: number }} size */
 export function createView(box, { width, height }) {
   const inset = insets({ width, height });
@@ -36,23 +61,8 @@ export function createView(box, { width, height }) {
     height: Math.max(40, height - inset.top - inset.bottom),
   };
   const scale = Math.min(free.width / (box.right - box.left), free.height / (box.top - box.bottom));
-  const originX = inset.left + free.width / 2 - (scale * (box.left + box.right)) / 2;
-  const originY = inset.top + free.height / 2 + (scale * (box.bottom + box.top)) / 2;
-  return {
-    width,
-    height,
-    /** Pixels a metre. */
-    scale,
-    originX,
-    originY,
-    inset,
-    /** @param {number} x */
-    screenX: (x) => originX + x * scale,
-    /** @param {number} y */
-    screenY: (y) => originY - y * scale,
-    /** @param {number} px @param {number} py */
-    world: (px, py) => ({ x: (px - originX) / scale, y: (originY - py) / scale }),
-  };
+  const middle = [inset.left + free.width / 2, inset.top + free.height / 2];
+  return { width, height, inset, ...viewAt(middleOf(box), scale, ...middle) };
 }
 
 /**

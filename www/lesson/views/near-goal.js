@@ -1,6 +1,7 @@
 // The last centimetres: where a disturbed robot stays, and the strips in which Theorem 2 lets it.
 import { html, render } from 'lit-html';
 import { create } from '../../kit/elements.js';
+import { viewAt } from '../../kit/transform.js';
 import { carOutline } from '../../lab/car.js';
 import { remember, watch } from '../../kit/memo.js';
 import { disturbanceSlice } from '../../parts/disturbance/state.js';
@@ -85,14 +86,15 @@ const degrees = (radians) => (radians * 180) / Math.PI;
 
 /** The way as far as it lies about the picture. @param {Run} run @param {Posture} goal @param {number} scale */
 function trace({ x, y }, goal, scale) {
+  const { screenX, screenY } = viewAt(goal, scale);
   const points = [];
-  for (const [i, metres] of x.entries()) {
-    const [px, py] = [(metres - goal.x) * scale, (goal.y - y[i]) * scale];
-    points.push(`${px.toFixed(1)},${py.toFixed(1)}`);
-  }
+  for (const [i, metres] of x.entries())
+    points.push(`${screenX(metres).toFixed(1)},${screenY(y[i]).toFixed(1)}`);
   return `M${points.join('L')}`;
 }
 
 /** @param {Posture} posture @param {Posture} goal @param {number} scale */
-const placeOf = ({ x, y, theta }, goal, scale) =>
-  `translate(${(x - goal.x) * scale} ${(goal.y - y) * scale}) rotate(${-degrees(theta)})`;
+function placeOf({ x, y, theta }, goal, scale) {
+  const { screenX, screenY } = viewAt(goal, scale);
+  return `translate(${screenX(x)} ${screenY(y)}) rotate(${-degrees(theta)})`;
+}

@@ -5,11 +5,12 @@
 import { createLayer } from '../../kit/canvas.js';
 import { watch } from '../../kit/memo.js';
 import { colour } from '../../kit/palette.js';
+import { viewAround } from '../../kit/transform.js';
 import { inMetres, postureAt, sampleBefore, trace } from '../../lab/track.js';
 import { isOver } from './film.js';
 import { axle } from './task.js';
 
-/** @typedef {{ width: number, height: number, scale: number, originX: number, originY: number }} Plan */
+/** @typedef {ReturnType<typeof planOf>} Plan */
 /** @typedef {{ film: Film, theme: number, size: { width: number, height: number }, looked: number | null }} PictureModel `looked`: the robot that is looked at. */
 
 /** Metres around the circle of starts. */
@@ -49,17 +50,8 @@ export function createParkPicture(canvases, place) {
   };
 }
 
-/** @param {{ width: number, height: number }} size @param {{ goal: Posture, radius: number }} place @returns {Plan} */
-export function planOf({ width, height }, { goal, radius }) {
-  const scale = Math.min(width, height) / (2 * (radius + margin));
-  return {
-    width,
-    height,
-    scale,
-    originX: width / 2 - goal.x * scale,
-    originY: height / 2 + goal.y * scale,
-  };
-}
+/** @param {{ width: number, height: number }} size @param {{ goal: Posture, radius: number }} place */
+export const planOf = (size, { goal, radius }) => viewAround(goal, radius + margin, size);
 
 /** Whole, as thin lines. @param {CanvasRenderingContext2D} context @param {Plan} plan @param {readonly Drive[]} drives @param {number} alpha */
 function drawPaths(context, plan, drives, alpha) {

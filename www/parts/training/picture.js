@@ -3,8 +3,9 @@
 import { strokeTwice } from '../../kit/canvas.js';
 import { followSize } from '../../kit/elements.js';
 import { arrowOf, isChord } from '../../kit/keyboard.js';
-import { kite } from '../../lab/track.js';
 import { colour } from '../../kit/palette.js';
+import { viewAround } from '../../kit/transform.js';
+import { kite } from '../../lab/track.js';
 import { createWatchedLayer } from '../drawing.js';
 
 /**
@@ -28,17 +29,7 @@ export function createPicture(canvas, { radius, onTry, onSize }) {
   /** @type {PictureModel | null} */
   let model = null;
 
-  const placeOf = (/** @type {Posture} */ goal) => {
-    const size = sizeOf();
-    const scale = Math.min(size.width, size.height) / (2 * (radius + margin));
-    return {
-      scale,
-      at: (/** @type {Posture} */ { x, y }) => ({
-        px: size.width / 2 + (x - goal.x) * scale,
-        py: size.height / 2 - (y - goal.y) * scale,
-      }),
-    };
-  };
+  const viewOf = (/** @type {Posture} */ goal) => viewAround(goal, radius + margin, sizeOf());
 
   /** Known at once, because a second key may come before the next frame. @param {PictureModel} from @param {Posture} tried */
   const drive = (from, tried) => {
@@ -48,11 +39,8 @@ export function createPicture(canvas, { radius, onTry, onSize }) {
 
   canvas.addEventListener('click', ({ offsetX, offsetY }) => {
     if (!model) return;
-    const { at } = placeOf(model.goal);
-    const distances = model.starts.map((start) => {
-      const { px, py } = at(start);
-      return Math.hypot(px - offsetX, py - offsetY);
-    });
+    const { screenX, screenY } = viewOf(model.goal);
+    const distances = model.starts.map(({ x, y }) => Math.hypot(screenX(x) - offsetX, screenY(y) - offsetY));
     const least = Math.min(...distances);
     if (least <= nearest) drive(model, model.starts[distances.indexOf(least)]);
   });
@@ -73,9 +61,8 @@ export function createPicture(canvas, { radius, onTry, onSize }) {
     draw(next) {
       model = next;
       const { starts, arrived, goal, tried, theme } = next;
-      const place = placeOf(goal);
       drawWatched(sizeOf(), [starts, arrived, goal, tried, theme], (context) =>
-        drawStarts(context, next, place),
+        drawStarts(context, next, viewOf(goal)),
       );
     },
   };
@@ -84,18 +71,15 @@ export function createPicture(canvas, { radius, onTry, onSize }) {
 /** @param {Posture} a @param {Posture | null} b */
 const isSame = (a, b) => b !== null && a.x === b.x && a.y === b.y && a.theta === b.theta;
 
-/**
- * @param {CanvasRenderingContext2D} context @param {PictureModel} model
- * @param {{ scale: number, at: (posture: Posture) => { px: number, py: number } }} place
- */
-function drawStarts(context, { starts, arrived, goal, tried }, { scale, at }) {
+/** @param {CanvasRenderingContext2D} context @param {PictureModel} model @param {ReturnType<typeof viewAround>} view */
+function drawStarts(context, { starts, arrived, goal, tried }, { scale, screenX, screenY }) {
   const [ink, muted, paper, error] = ['--ink', '--muted', '--paper', '--error'].map(colour);
   const isCrowded = starts.length > 100;
   // As large as fits, so that one does not hide the next.
   const size = isCrowded ? Math.max(2.6, 0.1 * scale) : Math.max(6, 0.22 * scale);
   context.lineJoin = 'round';
   for (const [i, start] of starts.entries()) {
-    const { px, py } = at(start);
+    const [px, py] = [screenX(start.x), screenY(start.y)];
     if (arrived && !arrived[i]) chevron(context, px, py, start.theta, size);
     else kite(context, px, py, start.theta, size);
     context.fillStyle = ink;
@@ -106,8 +90,7 @@ function drawStarts(context, { starts, arrived, goal, tried }, { scale, at }) {
       context.stroke();
     }
   }
-  const { px, py } = at(goal);
-  kite(context, px, py, goal.theta, 12);
+  kite(context, screenX(goal.x), screenY(goal.y), goal.theta, 12);
   context.fillStyle = paper;
   context.strokeStyle = ink;
   context.lineWidth = 2;
@@ -115,9 +98,8 @@ function drawStarts(context, { starts, arrived, goal, tried }, { scale, at }) {
   context.stroke();
   const current = starts.find((start) => isSame(start, tried));
   if (!current) return;
-  const place = at(current);
   context.beginPath();
-  context.arc(place.px, place.py, size + 5, 0, 2 * Math.PI);
+  context.arc(screenX(current.x), screenY(current.y), size + 5, 0, 2 * Math.PI);
   strokeTwice(context, [paper, 5], [ink, 2]);
 }
 

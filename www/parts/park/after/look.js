@@ -31,9 +31,9 @@ export function createLook(engine, task) {
     textOf,
 
     /** The robot that a press means; null: none. @param {Film} film @param {Plan} plan @param {readonly [number, number]} point In pixels. */
-    nearest({ drives, time }, { scale, originX, originY }, [px, py]) {
+    nearest({ drives, time }, { screenX, screenY }, [px, py]) {
       const far = (/** @type {number} */ x, /** @type {number} */ y) =>
-        Math.hypot(originX + x * scale - px, originY - y * scale - py);
+        Math.hypot(screenX(x) - px, screenY(y) - py);
       const robots = drives.map(({ run }) => {
         const { x, y } = postureAt(run, time);
         return far(x, y);

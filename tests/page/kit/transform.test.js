@@ -1,0 +1,37 @@
+// Between the plane in metres and a picture in pixels.
+import assert from 'node:assert/strict';
+import fc from 'fast-check';
+import { boxAround, createView, viewAround } from '../../../www/kit/transform.js';
+import { test } from '../harness/once.js';
+
+const number = fc.double({ min: -20, max: 20, noNaN: true });
+const point = fc.record({ x: number, y: number });
+const side = fc.integer({ min: 50, max: 2000 });
+const size = fc.record({ width: side, height: side });
+
+/** @param {number} a @param {number} b */
+const isNear = (a, b) => assert.ok(Math.abs(a - b) < 1e-6, `${a}, ${b}`);
+
+test('what is pressed is the point that is drawn there', () => {
+  fc.assert(
+    fc.property(size, point, point, (size, a, b) => {
+      for (const view of [createView(boxAround([a, b]), size), viewAround(a, 3, size)]) {
+        const { x, y } = view.world(view.screenX(b.x), view.screenY(b.y));
+        isNear(x, b.x);
+        isNear(y, b.y);
+      }
+    }),
+  );
+});
+
+test('around a centre just its radius has room on every side, and up is up', () => {
+  fc.assert(
+    fc.property(size, point, fc.double({ min: 0.1, max: 9, noNaN: true }), (size, { x, y }, radius) => {
+      const { screenX, screenY } = viewAround({ x, y }, radius, size);
+      isNear(screenX(x), size.width / 2);
+      isNear(screenY(y), size.height / 2);
+      isNear(Math.min(screenX(x - radius), screenY(y + radius)), 0);
+      isNear(screenX(x + radius) - screenX(x), screenY(y) - screenY(y + radius));
+    }),
+  );
+});
