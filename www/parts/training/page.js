@@ -155,15 +155,16 @@ function chosenOf(state) {
   return chosen ?? (evolved ? 'circle' : hidesPaper(state) ? 'one' : 'paper-ep');
 }
 
+/** Rows of gains that were not evolved here: always the same lists, so that rows are made anew only when others are in sight. */
+const others = /** @type {const} */ ({ none: [], papers: ['paper-ep', 'paper-arbitrary'], hands: ['hand'] });
+
 function createRows() {
   const rows = remember(
-    /** @param {TrainingState['evolved']} evolved @param {TrainingState['given']} given @param {State['experiment']} experiment @param {boolean} byHand @param {boolean} withPaper @returns {Row[]} */
-    (evolved, given, experiment, byHand, withPaper) => {
+    /** @param {TrainingState['evolved']} evolved @param {TrainingState['given']} given @param {State['experiment']} experiment @param {readonly RowName[]} papers @param {readonly RowName[]} hands @returns {Row[]} */
+    (evolved, given, experiment, papers, hands) => {
       const isOld = evolved !== null && changesOf(evolved.experiment, experiment).length > 0;
       const isOldGiven = given !== null && given.spec.experiment !== experiment;
       const counts = { one: experiment.starts.length, circle: circleCount, grid: gridCount };
-      const ofPaper = withPaper ? /** @type {const} */ (['paper-ep', 'paper-arbitrary']) : [];
-      const hand = byHand ? /** @type {const} */ (['hand']) : [];
       /** @param {RowName} name @param {number} count @param {Row['result'] | undefined} result @param {boolean} old */
       const row = (name, count, result, old) => ({
         name,
@@ -173,7 +174,7 @@ function createRows() {
       });
       return [
         ...setNames.map((name) => row(name, counts[name], evolved?.results[name], isOld)),
-        ...[...ofPaper, ...hand].map((name) => row(name, 0, given?.results[name], isOldGiven)),
+        ...[...papers, ...hands].map((name) => row(name, 0, given?.results[name], isOldGiven)),
       ];
     },
   );
@@ -182,8 +183,8 @@ function createRows() {
       trainingSlice.of(state).evolved,
       trainingSlice.of(state).given,
       state.experiment,
-      handOf(state) !== null,
-      !hidesPaper(state),
+      hidesPaper(state) ? others.none : others.papers,
+      handOf(state) ? others.hands : others.none,
     );
 }
 
