@@ -29,7 +29,7 @@ const whole = [
 ];
 /** Python takes more for gains than JavaScript. */
 const gains = `#: Three gains (kx, ky, kθ), or rows of three: at most a million in one call, fewer where drives are long.
-Gains = Union[Sequence[float], Sequence[Sequence[float]], Array]
+Gains = Union[Sequence[float], Sequence[Union[Sequence[float], Array]], Array]
 `;
 
 const head = `"""What goes into the core, and what comes back, as dicts.

@@ -82,11 +82,16 @@ def _encoded_field(name, value, depth):
 def _encoded_starts(value, depth):
     """Rows of three numbers go side by side."""
     rows = _rows(value, _POSTURE)
-    if rows and all(isinstance(row, (list, tuple)) and len(row) == 3 for row in rows):
+    if rows is None:
+        return encoded(value, depth)
+    threes = [isinstance(row, (list, tuple)) and len(row) == 3 for row in rows]
+    if rows and all(threes):
         numbers = list(itertools.chain.from_iterable(rows))
         if _are_numbers(numbers):
             return _column(numbers)
-    return encoded(value if rows is None else rows, depth)
+    # The core says which of them is wrong.
+    named = [dict(zip(_POSTURE, row)) if is_three else row for row, is_three in zip(rows, threes)]
+    return encoded(named, depth)
 
 
 def _rows(value, names):
@@ -94,20 +99,26 @@ def _rows(value, names):
     value = _listed(_in_order(value, names))
     if not isinstance(value, (list, tuple)):
         return None
-    return [row if isinstance(row, (list, tuple)) else _listed(_in_order(row, names)) for row in value]
+    return [row if _is_plain(row) else _listed(_in_order(row, names)) for row in value]
+
+
+def _is_plain(row):
+    """Whether it has no names, as a named tuple has."""
+    return isinstance(row, (list, tuple)) and not hasattr(row, "_fields")
 
 
 def _in_order(value, names):
-    """A table whose columns, or a series whose labels, have these names, with them in this order; what has other names goes
-    by place."""
-    labels = getattr(value, "columns", getattr(getattr(value, "dtype", None), "names", None))
+    """A table whose columns, a series whose labels, or a tuple whose fields have these names, with them in this order; what
+    has other names goes by place."""
+    fields = getattr(value, "_fields", None)
+    labels = getattr(value, "columns", getattr(getattr(value, "dtype", None), "names", fields))
     labels = getattr(value, "index", None) if labels is None else labels
     # A list has an index too, which is a method.
     if not isinstance(labels, Iterable):
         return value
     labels = [label if isinstance(label, str) else None for label in labels]
     if sorted(map(str, labels)) == sorted(names):
-        return value[list(names)]
+        return [getattr(value, name) for name in names] if fields else value[list(names)]
     if any(label in names and label != name for label, name in zip(labels, names)):
         found = ", ".join(map(str, labels))
         raise ValueError(f"names must be {', '.join(names)}, in any order, or all be others, but were {found}")
@@ -140,6 +151,8 @@ def encoded_gains(gains):
     gains = _in_order(gains, _GAINS)
     if hasattr(gains, "to_numpy"):
         gains = gains.to_numpy()
+    if numpy is not None and getattr(getattr(gains, "dtype", None), "names", None):
+        gains = numpy.array(gains.tolist())
     if numpy is not None and isinstance(gains, numpy.ndarray):
         if gains.ndim not in (1, 2) or gains.shape[-1] != 3:
             raise ValueError(_wrong(f"an array of shape {gains.shape}"))
@@ -150,7 +163,7 @@ def encoded_gains(gains):
     if not isinstance(gains, Iterable) or isinstance(gains, (str, bytes, Mapping)):
         raise ValueError(_wrong(f"of type {type(gains).__name__}"))
     rows = gains.tolist() if hasattr(gains, "tolist") else list(gains)
-    rows = [row if isinstance(row, (float, list, tuple)) else _in_order(row, _GAINS) for row in rows]
+    rows = [row if isinstance(row, float) or _is_plain(row) else _listed(_in_order(row, _GAINS)) for row in rows]
     if not any(_is_row(row) for row in rows):
         if rows and len(rows) != 3:
             raise ValueError(_wrong(f"an array of {len(rows)}"))

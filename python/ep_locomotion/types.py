@@ -46,7 +46,7 @@ Motion = Literal["begin", "reflection", "expansion", "outside-contraction", "ins
 #: One of the three gains.
 Gain = Literal["kx", "ky", "ktheta"]
 #: Three gains (kx, ky, kθ), or rows of three: at most a million in one call, fewer where drives are long.
-Gains = Union[Sequence[float], Sequence[Sequence[float]], Array]
+Gains = Union[Sequence[float], Sequence[Union[Sequence[float], Array]], Array]
 #: How the paper found its gains: by evolutionary programming, or as "arbitrarily selected positive values".
 PaperMethod = Literal["ep", "arbitrary"]
 

@@ -46,8 +46,8 @@ export const createJobs = (tell) => ({
   samples: (experiment, gains) =>
     columnsOf(new Simulation(experiment, gains), Math.ceil(experiment.horizon / experiment.sampleTime) + 2),
 
-  /** A whole evolution: its champion, and best and median J of each generation from 0. @param {PartialExperiment} experiment @param {number} generations */
-  evolve(experiment, generations) {
+  /** A whole evolution: its champion, best and median J of each generation from 0, and who leads in the one that is asked for. @param {PartialExperiment} experiment @param {number} generations @param {number} [shown] */
+  evolve(experiment, generations, shown) {
     if (!Number.isSafeInteger(generations) || generations < 0)
       throw new Error(`generations must be a whole number from 0, but was ${generations}`);
     const evolution = new Evolution(experiment);
@@ -65,8 +65,9 @@ export const createJobs = (tell) => ({
       newest = evolution.step();
     }
     const hash = evolution.hash();
+    const led = shown === undefined ? {} : { leader: evolution.population(shown)[0] };
     evolution.free();
-    return { ...newest.best, history, evaluations: newest.evaluations, hash };
+    return { ...newest.best, ...led, history, evaluations: newest.evaluations, hash };
   },
 
   /** The checks of the core's own numbers, by group. @param {import('./checks/check.js').Golden} golden */

@@ -76,8 +76,13 @@ function createWhole(run) {
     // Not split: who asks does so for few seeds at a time, so that those are kept that were done before a cancel.
     trials: (experiment, trials, options) => one('trials', [experiment, trials], options),
 
-    /** One whole evolution. @param {Experiment} experiment @param {number} generations @param {SurveyOptions} [options] */
-    evolve: (experiment, generations, options) => one('evolve', [experiment, generations], options),
+    /** One whole evolution. @param {Experiment} experiment @param {number} generations @param {SurveyOptions & { shown?: number }} [options] */
+    evolve: (experiment, generations, { shown, ...options } = {}) =>
+      one(
+        'evolve',
+        shown === undefined ? [experiment, generations] : [experiment, generations, shown],
+        options,
+      ),
 
     /** Many at once. @param {readonly Experiment[]} experiments @param {number} generations @param {SurveyOptions} [options] */
     evolveAll: (experiments, generations, options) =>

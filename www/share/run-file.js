@@ -1,5 +1,5 @@
 // A run as a file: its link, which is all that is needed to make it again, and what it came to, which proves that it is.
-/** @import { Engine, Experiment, Statistics, Triple } from '../core/engine.js' */
+/** @import { Engine, Experiment, Individual, Statistics, Triple } from '../core/engine.js' */
 /** @import { Linked } from '../link/keys.js' */
 /** @import { Links } from '../link/link.js' */
 /** @import { Opened } from '../run/actions/page.js' */
@@ -51,7 +51,10 @@ export async function openRunFile(text, engine, links, signal) {
   const { opened, problems } = links.openLink(link, engine);
   if (problems.length > 0) throw new Error(words.damagedLink(problems));
   if (opened.generation > generations) throw new Error(words.damagedFile('generations'));
-  const again = await engine.surveys.evolve(opened.experiment, generations, { signal });
+  const again = await engine.surveys.evolve(opened.experiment, generations, {
+    signal,
+    shown: opened.generation,
+  });
   if (again.hash !== hash) throw new Error(words.otherHash(hash, again.hash));
   // Nothing of them is opened; but who reads the file rests on what stands in it.
   if (!isSame(content.experiment, opened.experiment, engine))
@@ -61,17 +64,17 @@ export async function openRunFile(text, engine, links, signal) {
     cameTo(one?.best?.cost, best[i]) && cameTo(one?.median, median[i]);
   if (!statistics.every(isTold)) throw new Error(words.changedFile('statistics'));
   const hasDrive = content.drive !== undefined;
-  if (hasDrive) await checkDrive(content.drive, opened, statistics[opened.generation].best, engine, signal);
+  if (hasDrive) await checkDrive(content.drive, opened, again.leader, engine, signal);
   return { opened, generations, hasDrive };
 }
 
 /** JSON knows no infinity. @param {unknown} told @param {number} found */
 const cameTo = (told, found) => told === found || (told === null && !Number.isFinite(found));
 
-/** @param {any} told @param {Opened} opened @param {Statistics['best']} best As the file tells it. @param {Engine} engine @param {AbortSignal} [signal] */
-async function checkDrive(told, { experiment, trial, ...run }, best, engine, signal) {
+/** @param {any} told @param {Opened} opened @param {Individual | undefined} leader Of the generation that is shown. @param {Engine} engine @param {AbortSignal} [signal] */
+async function checkDrive(told, { experiment, trial, ...run }, leader, engine, signal) {
   if (!Array.isArray(told?.gains)) throw new Error(words.damagedFile('drive'));
-  const gains = gainsOf({ ...run, population: [best] }, run.driver, engine.paper());
+  const gains = gainsOf({ ...run, population: leader ? [leader] : [] }, run.driver, engine.paper());
   const [said, found] = [told.gains, gains].map((one) => JSON.stringify(one));
   if (said !== found) throw new Error(words.otherGains(said, found));
   const driven = tried(experiment, trial);

@@ -56,6 +56,7 @@ const engine = /** @type {Engine} */ (
       evolve: async (/** @type {Experiment} */ from, /** @type {number} */ generations) => ({
         hash: hashOf(from, generations),
         history: { best: Array(generations + 1).fill(1), median: Array(generations + 1).fill(1) },
+        leader: { gains: [1, 1, 1], cost: 1 },
       }),
       costs: async (/** @type {unknown[]} */ robots) => robots.map(() => 1),
     },

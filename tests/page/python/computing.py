@@ -3,6 +3,7 @@
 JSON has no infinite numbers: they come as {"float": "inf"}.
 """
 
+from collections import namedtuple
 import json
 import math
 import sys
@@ -58,7 +59,8 @@ class Frame(Series):
         return list(map(list, zip(*super().to_numpy())))
 
 
-names = {"Frame": Frame, "Series": Series, "ep": ep, "numpy": numpy, "math": math, "json": json}
+names = {"Frame": Frame, "Series": Series, "ep": ep, "numpy": numpy, "math": math, "json": json,
+         "namedtuple": namedtuple}
 for line in sys.stdin:
     asked = json.loads(line)
     names["given"] = asked["given"]

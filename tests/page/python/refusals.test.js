@@ -94,10 +94,10 @@ test('a table of starts has rows of three numbers, or is refused by name', optio
   const wrong = [
     [table('[[0, 0], [1, 0], [0, 1]]', 2), /^starts\[0\] must be an object, but was an array of 2$/],
     [table('[[0, 1, 2, 3]] * 3', 4), /^starts\[0\] must be an object, but was an array of 4$/],
-    [table("[['0', '1', '2']]"), /^starts\[0\] must be an object, but was an array of 3$/],
-    [table('[[True, False, True]]'), /^starts\[0\] must be an object, but was an array of 3$/],
-    [table('[[1, 2, 3j]]'), /^starts\[0\] must be an object, but was an array of 3$/],
-    [ofPandas("[['a', 1, None]]"), /^starts\[0\] must be an object, but was an array of 3$/],
+    [table("[['0', '1', '2']]"), /^starts\[0\]\.x must be a number .*, but was '0'$/],
+    [table('[[True, False, True]]'), /^starts\[0\]\.x must be a number .*, but was true$/],
+    [table('[[1, 2, 3j]]'), /^starts\[0\]\.theta must be a number .*, but was /],
+    [ofPandas("[['a', 1, None]]"), /^starts\[0\]\.x must be a number .*, but was 'a'$/],
     [table('[[0, 1, 10**400]]'), /^starts\[0\]\.theta must be a number from .*, but was Infinity$/],
     ["__import__('types').SimpleNamespace(ndim=2, shape=(1, 3))", /^starts must be .* SimpleNamespace$/],
   ];

@@ -12,6 +12,8 @@ test(
   options,
   () => {
     const [cost] = core.evaluate({}, [3, 0.1, 5]);
+    const hasNumpy = !valuesFrom([{ expression: 'numpy is None' }])[0];
+    const records = "numpy.array([(5, 3, 0.1)] * 4, dtype=[('ktheta', float), ('kx', float), ('ky', float)])";
     const axes =
       "'x': {'gain': 'kx', 'from': 3, 'to': 3, 'count': 1}, 'y': {'gain': 'ky', 'from': 0.1, 'to': 0.1, 'count': 1}";
     const costs = valuesFrom(
@@ -22,6 +24,15 @@ test(
         'ep.evaluate({}, Series(ktheta=5, kx=3, ky=0.1))',
         'ep.evaluate({}, [Series(ktheta=5, kx=3, ky=0.1)])[0]',
         "ep.simulate({}, Series(ktheta=5, kx=3, ky=0.1))['cost']['total']",
+        "ep.evaluate({}, [namedtuple('Row', 'ktheta kx ky')(5, 3, 0.1)])[0]",
+        "ep.evaluate({}, namedtuple('Row', 'ktheta kx ky')(5, 3, 0.1))",
+        ...(hasNumpy
+          ? [
+              `ep.evaluate({}, ${records})[3]`,
+              `ep.evaluate({}, ${records}[0])`,
+              `ep.evaluate({}, [${records}[0]])[0]`,
+            ]
+          : []),
         `ep.Task({}).landscape({${axes}, 'gains': Series(ktheta=5, kx=3, ky=0.1)})[0]`,
       ].map((expression) => ({ expression })),
     );
@@ -30,7 +41,8 @@ test(
       'Frame(theta=[3], x=[1], y=[2])',
       'Frame(a=[1], b=[2], c=[3])',
       '[Series(theta=3, x=1, y=2)]',
-      ...(valuesFrom([{ expression: 'numpy is None' }])[0]
+      "[namedtuple('Row', 'theta x y')(3, 1, 2)]",
+      ...(!hasNumpy
         ? []
         : ["numpy.array([(3, 1, 2)], dtype=[('theta', float), ('x', float), ('y', float)])"]),
     ].map((given) => ({ expression: `ep.Task({'starts': ${given}}).experiment['starts']` }));
@@ -62,8 +74,21 @@ test('start postures may be rows of three numbers', options, () => {
     { x: 3, y: 4, theta: 5 },
   ];
   assert.deepEqual(values, [postures, postures]);
-  const [mixed] = askPython([{ expression: "ep.Task({'starts': [[0, 0, 0], {'x': 1}]})" }]);
-  assert.equal(mixed.message, 'starts[0] must be an object, but was an array of 3');
+  const [mixed] = valuesFrom([
+    { expression: "ep.Task({'starts': [[0, 1, 2], {'x': 3, 'y': 4, 'theta': 5}]}).experiment['starts']" },
+  ]);
+  assert.deepEqual(mixed, postures);
+  const wrong = askPython(
+    ['[[0, 0, 0], [0, 0, None]]', "[[0, 0, 0], ['1', 0, 0]]", '[[0, 0, 0], [0, 0]]'].map((starts) => ({
+      expression: `ep.Task({'starts': ${starts}})`,
+    })),
+  );
+  for (const [i, said] of [
+    /^starts\[1\]\.theta /,
+    /^starts\[1\]\.x /,
+    /^starts\[1\] .*array of 2$/,
+  ].entries())
+    assert.match(String(wrong[i].message), said);
 });
 
 test('a figure is given the plain values of an experiment', options, () => {

@@ -17,16 +17,17 @@ export function evolved(from, generations) {
       paper,
       version: () => '0.1.0',
       hash: () => evolution.hash(),
+      population: (/** @type {number} */ generation) => evolution.population(generation),
       check: (/** @type {Experiment} */ from, /** @type {number[]} */ gains) =>
         new Simulation(from, gains).free(),
       surveys: {
-        async evolve(/** @type {Experiment} */ e, /** @type {number} */ count) {
+        async evolve(/** @type {Experiment} */ e, /** @type {number} */ count, { shown = count } = {}) {
           const { engine: again, state } = evolved(e, count);
           const [best, median] = [
             state.history.map((one) => one.best.cost),
             state.history.map((one) => one.median),
           ];
-          return { hash: again.hash(), history: { best, median } };
+          return { hash: again.hash(), history: { best, median }, leader: again.population(shown)[0] };
         },
         costs: async (/** @type {(readonly [Experiment, number[]])[]} */ robots) =>
           robots.map(([from, gains]) => evaluate(from, gains)[0]),

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { openRunFile, runFile } from '../../../www/share/run-file.js';
 import { links } from '../../../www/lesson/links.js';
 import { lastGeneration } from '../../../www/run/pace.js';
-import { experiment, paper, simulateAll } from '../harness/core.js';
+import { Evolution, experiment, paper, simulateAll } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { evolved } from './evolved.js';
 
@@ -57,8 +57,31 @@ test('the drive comes out as it was saved, whoever drives, and from wherever a p
   assert.equal((await openRunFile(runFile(state, engine, links), engine, links)).hasDrive, false);
 });
 
+test('of a method that forgets the file tells who drives, and not the best so far', async () => {
+  for (const evolution of /** @type {const} */ ([
+    { method: 'random' },
+    { method: 'cma-es' },
+    { method: 'finite-differences', seed: 9 },
+  ])) {
+    const { engine, state } = evolved(experiment({ evolution }), 12);
+    const again = new Evolution(state.experiment);
+    again.step(12);
+    const leaderOf = (/** @type {number} */ generation) => again.population(generation)[0].gains;
+    const isLost = (/** @type {import('./evolved.js').Kept['history'][number]} */ { generation, best }) =>
+      String(leaderOf(generation)) !== String(best.gains);
+    const { generation } = state.history.find(isLost) ?? assert.fail(`${evolution.method} forgets nothing`);
+    const drive = driveOf(state.experiment, [...leaderOf(generation)]);
+    const text = runFile({ ...state, generation }, engine, links, drive);
+    assert.ok((await openRunFile(text, engine, links)).hasDrive, evolution.method);
+  }
+});
+
 test('a file whose drive is another than it says is refused', async () => {
   const { engine, state } = evolved(velocityLimits, 4);
+  const other = structuredClone(state);
+  other.history[3].best.gains = [3, 1, 5];
+  const both = runFile(other, engine, links, driveOf(velocityLimits, [3, 1, 5]));
+  await assert.rejects(openRunFile(both, engine, links), { message: /drives with the gains \[3,1,5\]/ });
   const { gains } = state.history[3].best;
   const good = JSON.parse(runFile(state, engine, links, driveOf(velocityLimits, gains)));
   const rows = /** @type {const} */ ([
