@@ -9,7 +9,7 @@ import { tidyText } from '../kit/text.js';
 import { most } from '../run/aim.js';
 import { lastGeneration } from '../run/pace.js';
 import { asksSomething, groupNames, isEmpty, isHiddenWithPaper, mostOfTask, wayOf } from '../run/exercise.js';
-import { nothingPrepared, preparedIn, isAllTold, unreachable } from '../run/prepared.js';
+import { isAllTold, nothingPrepared, preparedIn, unreachable } from '../run/prepared.js';
 import { drivers, presets, spentOf } from '../run/state.js';
 import { drawnFor, mostOfWho, undrawn, variedNames } from '../run/variant.js';
 import { link as words } from '../words/index.js';

@@ -4,7 +4,7 @@ import { createView } from '../../kit/transform.js';
 import { watch } from '../../kit/memo.js';
 import { namesOfRuns } from '../../lab/notes.js';
 import { legendRooms } from '../../lab/plane-corners.js';
-import { meet, namesIn, roomOf } from '../../lab/plane-names.js';
+import { around, meet, namesIn, roomOf } from '../../lab/plane-names.js';
 import { sizes } from '../../lab/track.js';
 import { endsOf } from '../../run/state.js';
 import { symbolInText } from '../formulas/symbols.js';
@@ -46,7 +46,9 @@ export function createErrorPosture(root) {
         ...namesIn(view, ends, scene.driving, false).map(roomOf),
         ...legendRooms([solid, dashed]),
       ];
-      const arrows = [sample.posture, ends.start, ends.goal].map((posture) => arrowIn(view, posture));
+      const arrows = [sample.posture, ends.start, ends.goal].map(({ x, y }) =>
+        around(view.screenX(x), view.screenY(y), sizes.robot),
+      );
       const at = marks.map(({ places, seen }) => (seen ? freeOf(size, places, taken, arrows) : places[0]));
       const lines = terms.map(([name, colour], i) => {
         const path = marks[i].seen ? marks[i].path : '';
@@ -68,19 +70,13 @@ export function createErrorPosture(root) {
   };
 }
 
-/** @param {View} view @param {{ x: number, y: number }} posture @returns {Room} */
-function arrowIn(view, { x, y }) {
-  const [px, py, half] = [view.screenX(x), view.screenY(y), sizes.robot];
-  return { left: px - half, right: px + half, top: py - half, bottom: py + half };
-}
-
 /** Within the plane. @param {number} at @param {number} end */
 const clamp = (at, end) => Math.max(16, Math.min(end - 16, at));
 
 /** The first of these places at which the name meets neither words, of which it then is one, nor arrows; if there is none, that meets no words. @param {{ width: number, height: number }} size @param {readonly At[]} places @param {Room[]} taken @param {readonly Room[]} arrows @returns {At} */
 function freeOf(size, places, taken, arrows) {
   const all = places.map(([x, y]) => /** @type {At} */ ([clamp(x, size.width), clamp(y, size.height)]));
-  const room = (/** @type {At} */ [x, y]) => ({ left: x - 14, right: x + 14, top: y - 14, bottom: y + 14 });
+  const room = (/** @type {At} */ [x, y]) => around(x, y, 14);
   const isFree = (/** @type {At} */ at, /** @type {readonly Room[]} */ things) =>
     !things.some((thing) => meet(thing, room(at)));
   const at =
