@@ -23,10 +23,15 @@ export function gainsOf(state, driver, paper) {
   return row.gains;
 }
 
-/** Whom who drives is compared with: paper's choices with evolution, evolution with the paper, or, where that is hidden, with what was found by hand. @param {Pick<State, 'driver' | 'handGains' | 'exercise' | 'maker'>} state @returns {Driver} */
+/**
+ * Whom who drives is compared with: a choice with evolution, or, before it has begun, with what it found in the paper; evolution with
+ * the paper's choice; or, where the paper is hidden, with what was found by hand.
+ * @param {Pick<State, 'driver' | 'handGains' | 'exercise' | 'maker' | 'generation'>} state @returns {Driver}
+ */
 export function rivalOf(state) {
-  const { driver, handGains } = state;
-  if (driver === 'hand' || driver === 'paper-arbitrary') return 'evolved';
+  const { driver, handGains, generation } = state;
+  if (driver === 'hand' || driver === 'paper-arbitrary')
+    return generation > 0 || hidesPaper(state) ? 'evolved' : 'paper-ep';
   if (!hidesPaper(state)) return 'paper-arbitrary';
   return handGains ? 'hand' : 'evolved';
 }

@@ -14,14 +14,23 @@ const reference = JSON.parse(readFileSync(new URL('../../rivals/reference.json',
 const base = experiment('velocity-limits');
 const targets = [1.05, 1.01, 1.002].map((factor) => factor * 7.7012);
 
-/** The core's own ends at one of the targets. @param {Partial<Settings>} change @param {number} target @returns {End[]} */
-function endsOf(change, target) {
-  const own = { ...base, evolution: { ...base.evolution, ...change } };
-  return trials(own, { seeds: [1, 52], drives: 4000 }).map((trial) => ({
-    runtime: runtimeOf(trial, target),
-    cost: trial.champion.cost,
-  }));
+/** @typedef {ReturnType<typeof trials>} Trials */
+
+/** The core's own trials of 51 seeds, each kind of them made once. @type {Map<string, Trials>} */
+const made = new Map();
+
+/** @param {Partial<Settings>} change @returns {Trials} */
+function own(change) {
+  const key = JSON.stringify(change);
+  const evolution = { ...base.evolution, ...change };
+  const found = made.get(key) ?? trials({ ...base, evolution }, { seeds: [1, 52], drives: 4000 });
+  made.set(key, found);
+  return found;
 }
+
+/** Their ends at one of the targets. @param {Partial<Settings>} change @param {number} target @returns {End[]} */
+const endsOf = (change, target) =>
+  own(change).map((trial) => ({ runtime: runtimeOf(trial, target), cost: trial.champion.cost }));
 
 /** @param {string} name @param {number} index Of the target. @returns {End[]} */
 const theirs = (name, index) =>

@@ -131,7 +131,7 @@ engineTest(
         ),
       };
     });
-    assert.deepEqual([...new Set(dots.map(({ of }) => of))].sort(), ['Vdot', 'te', 'xe', 'ye']);
+    assert.deepEqual([...new Set(dots.map(({ of }) => of))].sort(), ['Vdot', 'te', 'theta', 'x', 'xe', 'y', 'ye']);
     for (const { of, off } of dots) assert.ok(off < 0.3, `${of}: ${off} of its width beside it`);
     assert.ok(Math.abs(widths[0] - widths[1]) < 0.5, `V is ${widths} wide`);
   },

@@ -192,7 +192,7 @@ test('whatever a birth is made of, the formulas with its numbers come to what th
         about(child, record.offspring[individual].gains[j], what);
         const [own, grown = own] = sigma[`news${index}`].split(' ← ').map(read);
         const [tau, common, shared] = ['tau', 'tau2', 'N'].map((letter) => read(sigma[letter]));
-        const [before, draw] = ['s', 'N'].map((letter) => read(sigma[letter + index]));
+        const [before, draw] = ['s', 'N2'].map((letter) => read(sigma[letter + index]));
         about(before * Math.exp(common * shared + tau * draw), grown, what);
         about(own, record.offspring[0].sigmas[j], what);
         arrows += Number(child !== sum) + Number(own !== grown);

@@ -15,7 +15,6 @@ import { steps } from '../../../www/lesson/steps.js';
 import { en as english, ko as korean } from '../harness/words.js';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { driven, engine, linkOf, opened, samples } from './links.js';
-import { answered } from './live.js';
 import { test } from '../harness/once.js';
 
 /** @type {any} */
@@ -70,28 +69,6 @@ test('links of the first edition open the step that holds its content; one that 
   assert.equal(opened('lab&v=1&lesson=0').lesson, 0);
   // Who counts to the last step comes to it.
   assert.equal(opened(`lesson&step=${pathLength}`).lesson, pathLength);
-});
-
-test('the right choice stands anywhere: no place has more than four in ten', async () => {
-  /** @type {number[]} */
-  const places = [];
-  for (const { name, blocks } of steps)
-    for (const block of blocks) {
-      // Who wins a contest depends on who plays.
-      if (block.kind !== 'quiz' || name === 'duel') continue;
-      const count = en.steps[name].quizzes[block.name].choices.length;
-      const order = block.quiz.order ?? Array.from({ length: count }, (_, i) => i);
-      assert.deepEqual(
-        [...order].sort(),
-        Array.from({ length: count }, (_, i) => i),
-        `${name}.${block.name}`,
-      );
-      const { outcome } = await answered(name, block.name);
-      places.push(order.indexOf(outcome.right));
-    }
-  const share = (/** @type {number} */ place) => places.filter((one) => one === place).length / places.length;
-  assert.ok(Math.max(share(0), share(1), share(2)) <= 0.4, `${places}`);
-  assert.ok(Math.min(share(0), share(1), share(2)) >= 0.2, `${places}`);
 });
 
 test('what the tab keeps is read back, and nothing else is believed', () => {

@@ -50,6 +50,9 @@ export function priceInYard({ engine, state }) {
 /** @param {Live} live */
 const tallyIn = (live) => tallyOf(progressSlice.of(live.state).tally, contestOf(live));
 
+/** @param {Live} live */
+const isPredicted = ({ state }) => progressSlice.of(state).answers[prediction] !== undefined;
+
 /** What is locked in, or what the prediction locks in. @param {Live} live @returns {Duel} */
 export const duelIn = (live) => progressSlice.of(live.state).duel ?? lockedIn(tallyIn(live), contestOf(live));
 
@@ -84,13 +87,14 @@ export function createDuelDrives({ store }, { duel: words }) {
       const { duel } = progressSlice.of(live.state);
       const tally = tallyIn(live);
       const { population } = live.state.experiment.evolution;
-      if (!changed(duel, tally, population, experiment)) return;
+      const predicted = isPredicted(live);
+      if (!changed(duel, tally, population, experiment, predicted)) return;
       const { costs } = duel ?? tally;
       const best = lowestOf(costs);
       const isHere = !duel || isDuelOf(duel, experiment);
       // J of another task compares with none of this one.
       const beaten = isHere ? marksOf(live).filter(({ cost }) => best < cost) : [];
-      const status = !isHere ? words.elsewhere : duel ? words.locked : words.enough(costs.length);
+      const status = !isHere ? words.elsewhere : duel ? words.locked(predicted) : words.enough(costs.length);
       const lock = () => update(store, { duel: lockedIn(tally, experiment) });
       element.classList.toggle('locked', duel !== null);
       render(
@@ -139,7 +143,7 @@ export function createDuelResult({ store, engine, actions }, { duel: words, text
       const { theme, evolving, preset } = live.state;
       const progress = progressSlice.of(live.state);
       const { sees } = progress;
-      const predicted = progress.answers[prediction] !== undefined;
+      const predicted = isPredicted(live);
       if (!predicted) rounds.forgive();
       else if (!evolving) rounds.begin(duelIn(live));
       const { duel } = progress;

@@ -134,9 +134,9 @@ export const gainFormula = {
 export const sigmaFormula = {
   label: '',
   lines: [
-    'newsx = sx · e^{tau2 · N + tau · Nx}',
-    'newsy = sy · e^{tau2 · N + tau · Ny}',
-    'newst = st · e^{tau2 · N + tau · Nt}',
+    'newsx = sx · e^{tau2 · N + tau · N2x}',
+    'newsy = sy · e^{tau2 · N + tau · N2y}',
+    'newst = st · e^{tau2 · N + tau · N2t}',
   ],
   numbers(live) {
     const birth = birthOf(anatomyOf(live), 0);
@@ -149,7 +149,7 @@ export const sigmaFormula = {
       N: words.drawText(draws.common),
       ...named((i) => ({
         s: words.sigmaText(base.sigmas[i]),
-        N: words.drawText(draws.sigmas[i]),
+        N2: words.drawText(draws.sigmas[i]),
         news: words.cameFrom(words.sigmaText(child.sigmas[i]), words.sigmaText(grownSigma(birth, i, rates))),
       })),
     };

@@ -65,6 +65,9 @@ const symbols = /** @type {const} */ ({
   Nx: ['N', 'x', 'x'],
   Ny: ['N', 'y', 'y'],
   Nt: ['N', 'θ', 'theta'],
+  N2x: ['N′', 'x', 'x'],
+  N2y: ['N′', 'y', 'y'],
+  N2t: ['N′', 'θ', 'theta'],
 });
 
 /** @param {string} name @returns {name is SymbolName} */

@@ -82,8 +82,11 @@ export const generation = {
       words.capital(words.nameOf(anatomy, number));
     const cost = words.costWriter(born);
     const { parents, offspring } = born.record;
+    const [low, high] = state.experiment.evolution.initialRange;
     return {
       count: String(state.experiment.evolution.population),
+      low: String(low),
+      high: String(high),
       child: nameIn(born, pair + born.count),
       childCost: cost(offspring[pair].cost),
       parentCost: cost(parents[pair].cost),

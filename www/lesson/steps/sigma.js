@@ -50,7 +50,7 @@ export const sigma = {
         return { right, before, after, half, generation, sigmas };
       },
     }),
-    { kind: 'text', name: 'collapse' },
+    { kind: 'text', name: 'collapse', after: 'further' },
     tries([
       ['stuck', 'lab&seed=7&generation=300&curve=sigmas'],
       ['none', 'lab&evolution.initialSigma=0&generation=60'],

@@ -3,7 +3,7 @@ import { largest } from '../../kit/extent.js';
 import { fixed, signed } from '../../words/numbers.js';
 import { createBowl } from '../views/bowl.js';
 import { createCancel } from '../views/cancel.js';
-import { chainFormula, errorRateFormula } from '../formulas/formulas-motion.js';
+import { chainFormula, errorRateFormula, motionFormula } from '../formulas/formulas-motion.js';
 import { lyapunovFormula, rateFormula } from '../formulas/formulas.js';
 import { quiz, tries } from '../questions/asks.js';
 import { path } from '../path.js';
@@ -22,6 +22,8 @@ export const stability = {
     { kind: 'text', name: 'bowl' },
     { kind: 'formula', formula: lyapunovFormula },
     { kind: 'text', name: 'falls' },
+    { kind: 'formula', formula: motionFormula },
+    { kind: 'text', name: 'errors' },
     { kind: 'formula', formula: errorRateFormula },
     { kind: 'text', name: 'chain' },
     { kind: 'formula', formula: chainFormula },

@@ -25,7 +25,7 @@ export const contest = {
     begin: `The method has many parts: a tournament, step sizes that adapt themselves, a population. *Which of them does the work?* Take one away, and see. But you have seen in the duel of step 9 what one run is worth: next to nothing. So every contestant here runs *51 times*, with the same seeds, and may make *4\u202f000 drives* each time. Nobody counts generations, for a generation of one may cost ten times as many drives as that of another. The first contestant is the paper’s EP, *as in the lab*.
 
 Two things can be asked of a run: how low is {J} when the drives are used up, or *how many drives until {J} is below a target*? Here it is the second: 7.72, a quarter of a percent above the best that is known.`,
-    read: `That is how such a result looks, and it is a result. The shaded bands, each the middle half of the runs, overlap. The table counts: how many runs *reached* the target; *ERT*, how many drives it takes on average if a run that failed is begun again with another seed; *A12*, how often a run of this one beats a run of the first; *p*, how often chance alone would be as uneven. Step 7 showed a better robot falling in the tournament. As far as can be measured here, that does no harm, and no good.`,
+    read: `That is how such a result looks, and it is a result. The shaded bands, each the middle half of the runs, overlap. The table counts: how many runs *reached* the target; *ERT*, how many drives it takes on average if a run that failed is begun again with another seed; *A12*, how often a run of this one beats a run of the first; *p*, how often chance alone would make a difference as large, if both were equally good: below 0.05 one says that it is not chance. Step 7 showed a better robot falling in the tournament. As far as can be measured here, that does no harm, and no good.`,
     drag: `*Now drag the target*: the dot at the left end of the dashed line, slowly from 8.09 down to 7.72. At the top the curves lie together; further down they part, and one of them hardly falls any more. A step of 1 is good for finding the valley and useless for finding its lowest point. So the step sizes of step 8 *do* work, but only beyond a certain accuracy. Had we asked for 8.09 alone, we would have called them a waste.`,
     slide: `Press *other seeds* under the picture, again and again: the sentence flips between a clear difference and none, though nothing but the seeds has changed. Then move the slider *Had you run only* to 3, to 10, to 20. So few runs mostly leave the question open, and it is we who read an answer into them. Now and then they even show a difference that is not there.`,
     budget: `Drag the *vertical* line, the number of drives at which the curves are read, from 4\u202f000 to the end. Twenty robots come down early and then stand still: a run that has not reached the target by then mostly never does. A hundred are slower and lose fewer runs on the way. *Without a target, a budget and the number of runs there is no winner*, only an anecdote.`,
@@ -41,7 +41,7 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
       choices: [
         'Clearly worse: the luck of the tournament keeps variety alive',
         'Clearly better: nothing good is ever lost',
-        'Nobody can tell',
+        'Nobody can tell: the two come to much the same',
       ],
       /** @param {{ first: Row, other: Row, target: number }} outcome */
       why: ({ first, other, target }) =>
@@ -53,7 +53,7 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
       choices: [
         'Self-adaptation is sooner at both',
         'At 8.09 self-adaptation is no sooner; at 7.72 it is far ahead',
-        'Self-adaptation is sooner at neither: 1 is a good step',
+        'Self-adaptation is sooner at neither',
       ],
       /** @param {{ early: Row[], late: Row[], far: number, near: number }} outcome */
       why: ({ early, late, far, near }) =>
@@ -90,9 +90,10 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
   },
   tries: {
     floor: 'The remedy of step 8: {s} never below 0.1, with 20\u202f000 drives',
-    crossover: 'Three more parts: crossover, Cauchy steps, each child against its own parent',
+    crossover:
+      'Three more parts: crossover, Cauchy steps (now and then a very long one), each child against its own parent',
     robots: 'Six, twenty or a hundred robots, to {J} = 7.8',
-    hand: 'One gain after the other, as a hand does with sliders that end at 0; the same without that end; and Nelder–Mead',
+    hand: 'One gain after the other, as a hand does with sliders that end at 0; the same without that end; and Nelder–Mead, four robots of which the worst steps over the others',
     remedies: 'CMA-ES with 7, and its two remedies',
   },
   notice: [

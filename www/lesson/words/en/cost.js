@@ -6,7 +6,7 @@ import { costText, fixed } from '../../../words/en/numbers.js';
 export const cost = {
   texts: {
     parts: `Hasty drives, patient ones, some that never arrive: which is *good*? Somebody has to decide, and to say it in one number. The authors add up five parts:`,
-    each: `The *time* until the robot arrives. The *final* error: how far off the robot is at the end, in place and in heading, squared. The *path*: the error on the way, in place and in heading, squared and integrated over time: staying far away for long is costly. The *energy*: speed and turn rate, squared and integrated. Both integrals count half; that makes the energy {=energy} in this drive. And a *penalty* for gains below zero. ({p} is the posture, {pr} that of the goal, {q} holds {v} and {w}.) Point at a part: its piece of the bar lights up.`,
+    each: `The *time* {tf} until the robot arrives. The *final* error: how far off the robot is at the end, in place and in heading, squared. The *path*: the error on the way, in place and in heading, squared and integrated over time: staying far away for long is costly. The *energy*: speed and turn rate, squared and integrated. Both integrals count half; that makes the energy {=energy} in this drive. And a *penalty* for gains below zero. ({p} is the posture, {pr} that of the goal, {q} holds {v} and {w}. What stands twice, with T and a weight: square each entry, multiply it by its weight, add.) Point at a part: its piece of the bar lights up.`,
     weights: `What is a second worth, and what a hard turn? The *weights* say so: {Rv} and {Rw}, together {R}, for driving and turning, {W} for the final error, {kappa} for the penalty. *The paper does not give them.* We chose 1, and 1000 for {kappa}. With other weights another drive is the best. Four drives are in the picture: press one to drive it, and move the weights.`,
     ky: `And {ky}? With our weights and from the paper’s start, {kx} = 3 and {kt} = 5 cost {=none} if {ky} is 0, {=one} if it is 1, {=eight} if it is 8. Nothing there needs it, as step 3 showed: it only costs. J counts this one drive and no other. Keep that in mind.`,
     next: `So evolution gets one number to bring down. That is all it ever learns of the robot. How does it search?`,
@@ -26,7 +26,7 @@ export const cost = {
       choices: [
         'The EP gains again: evolution found them',
         'The arbitrary gains: they arrive first',
-        'The gentle gains, though they arrive last',
+        'The gentle gains: they drive slowly',
       ],
       /** @param {{ runs: Run[] }} outcome */
       why: ({ runs: [ep, arbitrary, gentle] }) =>
@@ -35,7 +35,10 @@ export const cost = {
     home: {
       question:
         'Both weights at 100, and a robot with all gains at 0: it stays where it is for 10 s and never arrives. The gentle one arrives. Whose J is lower?',
-      choices: ['That of the gentle one: it does its task', 'That of the robot that stays at home'],
+      choices: [
+        'That of the gentle one: it does its task',
+        'That of the robot that stays at home: it spends no energy',
+      ],
       /** @param {{ stays: Run, drives: Run }} outcome */
       why: ({ stays, drives }) =>
         `Staying costs ${costText(stays.cost.total)}: time ${fixed(stays.cost.time, 0)}, path ${fixed(stays.cost.path, 1)}, final ${fixed(stays.cost.finalError, 1)}. The gentle drive costs ${costText(drives.cost.total)}, of which energy ${fixed(drives.cost.energy, 1)}. J knows nothing of what we meant. It counts what it is told to count.`,

@@ -5,7 +5,7 @@ export const disturbance = {
   texts: {
     slip: `Until now the wheels did exactly what they were told. Now the ground slips: {=push}\u00a0m/s is added to whatever speed the robot drives. It runs past the goal, and there it stands, {=distance}\u00a0m away, for good. The close-up picture shows the last centimetres.`,
     why: `Why just there? At this place the law commands {=command}\u00a0m/s: backwards, as fast as the ground slides forwards. Nearer to the goal its command {kx} {xe} cos {te} is slower than the ground slides.`,
-    theorem: `Must one know how the ground pushes? No: Theorem 2 asks only for a *bound*. The push {d1} on the speed never exceeds {e1}, the push {d2} on the turn rate never exceeds {e2}. The pushes add ({ye} sin {te} − {xe} cos {te}) {d1} − {d2} sin {te} to the rate of {V}. As long as each of the three parts in step 4 outweighs its share of what the pushes add, {V} falls:`,
+    theorem: `Must one know how the ground pushes? No: Theorem 2 asks only for a *bound*. The push {d1} on the speed never exceeds {e1}, the push {d2} on the turn rate never exceeds {e2}. The pushes add ({ye} sin {te} − {xe} cos {te}) {d1} − {d2} sin {te} to the rate of {V}. Each of the three parts of step 4 pulls {V} down; the pushes may lift it. While each part pulls harder than its share of the pushes can lift, {V} falls:`,
     sets: `Near the goal they cannot all hold: the right side of (6), for one, grows without end. So an error may remain. Solved for the error, each gives a *set* around zero: a coloured band under the curves, a strip in the picture of the last centimetres. *Larger gains, smaller sets*: so, says the paper, one chooses gains for an error that one allows.`,
     unknown: `What does the theorem leave out? *Limits*: the paper counts what they cut off as part of the push, but near sin {te} = 0 that has no bound. *Samples*: with gains of 250 a robot that gets a new command 100 times a second *chatters*. And *time*: without a push the error goes to 0, but how fast? With {ky} = {=ky}, from {=starts} other starts, up to {=left}\u00a0m of {ye} are left in the last two of {=horizon} seconds.`,
     next: `So much for what can be proved. Now for the paper’s own numbers: do ours agree with them?`,
@@ -38,11 +38,7 @@ export const disturbance = {
   quizzes: {
     double: {
       question: 'All three gains twice as large. Where does the robot stand then?',
-      choices: [
-        'In the same place: the ground slips as before',
-        'About half as far from the goal',
-        'On the goal',
-      ],
+      choices: ['In the same place', 'About half as far from the goal', 'On the goal'],
       /** @param {{ before: number, after: number }} outcome */
       why: ({ before, after }) =>
         `${fixed(after, 3)} m away instead of ${fixed(before, 3)} m. With twice the gain, half the error is enough for the same command. But no gain makes it zero: without an error there is no command, and the ground slips on.`,
@@ -50,11 +46,7 @@ export const disturbance = {
     random: {
       question:
         'Now *random pushes*: 100 times a second a new one, anything between −0.1 and 0.1 m/s. How far from the goal does the robot of the paper stay in the end?',
-      choices: [
-        'Farther than with the slip: nobody can get used to them',
-        'As far: they are as strong as the slip',
-        'Nearer than with the slip',
-      ],
+      choices: ['Farther than with the slip', 'As far', 'Nearer than with the slip'],
       /** @param {{ steady: number, random: number }} outcome */
       why: ({ steady, random }) =>
         `Within ${fixed(random, 3)} m in the last two seconds; with the slip it was ${fixed(steady, 3)} m. Pushes to and fro largely cancel each other, a slip adds up. It is the steady disturbance that is the hard one.`,

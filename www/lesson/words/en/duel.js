@@ -12,9 +12,9 @@ export const duel = {
 
 You go first. Move the sliders under the picture, or type numbers. Each time you let go of a slider, 32 robots drive: that is *one trial*, however far you dragged. When you are content, *lock in your best*.
 
-Then evolution has its turn: {=count} robots for {=generations} generations, {=given} trials; if you had more, it gets as many as you. A third player, *random search*, has as many: it draws gains evenly between {=low} and {=high}, keeps the best, and learns nothing.`,
-    beyond: `Look at the gains that evolution found, and watch its robots. Its {ky} lies beyond the slider, where no hand would look and where random search cannot go. Nobody told it to look there. In this task the way down is long.`,
-    within: `Look at the gains that evolution found, and watch its robots. This time its {ky} lies where a hand or random search can go, too.`,
+Then evolution has its turn: {=count} robots for {=generations} generations, {=given} trials with the first {=count}; if you had more, it gets as many as you. A third player, *random search*, has as many: it draws gains evenly between {=low} and {=high}, keeps the best, and learns nothing.`,
+    beyond: `Watch evolution’s robots, and look at its gains in the picture. Its {ky} lies beyond the slider, where few hands would look and where random search cannot go. Nobody told it to look there.`,
+    within: `Watch evolution’s robots, and look at its gains in the picture. This time its {ky} lies where a hand or random search can go, too.`,
     after: `*Selection goes on from what was good*: each generation starts where the last one ended. How much it finds in {=generations} generations still depends on luck: try other seeds, and let both go on, before you say who won.`,
     next: `Why is one search easy and another hard? That depends on the ground it walks on: on J as a landscape over the gains.`,
   },
@@ -30,7 +30,11 @@ Then evolution has its turn: {=count} robots for {=generations} generations, {=g
       drives === 0 ? 'Move a slider, and 32 robots drive.' : 'Go on, or lock your best in.',
     none: 'none yet',
     lock: 'Lock in my best',
-    locked: 'Locked in. Drive on if you like; it no longer counts.',
+    /** @param {boolean} predicted @returns {string} */
+    locked: (predicted) =>
+      predicted
+        ? 'Locked in. Drive on if you like; it no longer counts.'
+        : 'Locked in. Your prediction, below, sets evolution going. Drive on if you like; it no longer counts.',
     elsewhere: 'Locked in for another goal or other settings than you see now. Start over to compete here.',
     startOver: 'Start over',
     resultLabel: 'How the three compare',
@@ -78,7 +82,7 @@ Then evolution has its turn: {=count} robots for {=generations} generations, {=g
   notice: [
     'You look at the robots and think. Evolution knows nothing of robots: all it ever sees is J.',
     'Evolution can leave the range in which the first gains are drawn. This random search cannot.',
-    'You had few trials, evolution had hundreds. That is its deal: it does not think, but it does not tire.',
+    'You had few trials, evolution had hundreds. That is its way: it does not think, but it does not tire.',
   ],
 };
 

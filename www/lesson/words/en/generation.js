@@ -16,14 +16,14 @@ export const generation = {
     name: (number, _isParent) => String(number),
   },
   texts: {
-    begin: `You tried one set of gains after another. Evolution keeps {=count} sets at a time: a *population* of robots, drawn at random in the beginning. (All chance here comes from one number, the *seed*: with the same seed everything happens again, with another seed, chance falls differently.) Then it repeats four moves; each round is a *generation*. The numbers in the text are those of the robot chosen in the figure; press any other.`,
-    mutate: `*1. [Mutate](generation&generation=1&phase=mutation&individual=26).* Every parent has one *offspring*. Its gains are the parent’s, each moved by a random step: a *step size* {s} times a draw {N} from the standard normal distribution (the bell curve), which is rarely beyond −2 or 2.`,
+    begin: `You tried one set of gains after another. *Evolutionary programming* (EP) keeps {=count} sets at a time: a *population* of robots. The first are *generation 0*: each gain is drawn at random between {=low} and {=high}, and each robot drives once. (All chance here comes from one number, the *seed*: with the same seed everything happens again, with another seed, chance falls differently.) Then EP repeats four moves; each round makes the next *generation*. The numbers in the text are those of the robot chosen in the figure; press any other.`,
+    mutate: `*1. [Mutate](generation&generation=1&phase=mutation&individual=26).* Every parent has one *offspring*. Its gains are the parent’s, each moved by a random step: a *step size* {s} times a draw {N} from the standard normal distribution (the bell curve), which is rarely beyond −2 or 2. (The figure shows new step sizes, too; step 8 is about them.)`,
     drive: `*2. [Drive](generation&generation=1&phase=drive&individual=26).* All offspring drive, above the figure. {=child} comes to J {=childCost}; its parent had {=parentCost}. Of {=count} offspring, {=better} drive better than their parent. As a rule most do not: a random step is more often bad than good.`,
     rule: `*3. Tournament.* All {=all} robots, parents and offspring, meet {=bouts} others each, drawn at random *with replacement*: a robot may meet the same opponent twice, but never itself. It wins a bout unless its opponent has the lower J.
 
 *4. Survive.* The {=count} with the most wins stay as parents of the next generation, with their gains, step sizes and J. Before you press: a question.`,
-    select: `*3. [Tournament](generation&generation=1&phase=tournament&individual=26).* {=chosen} wins {=wins} of {=bouts}. *Rank*: most wins first. *4. [Survive](generation&generation=1&phase=survivors&individual=26).* {=fate} Press the moves one by one, and look at others.`,
-    next: `The four moves are the paper’s. That there are 20 robots, and that the lower J goes first when the wins are equal, is our choice. That the best always survives is called *elitism*; here the tournament and that rule see to it. And how large should a step be? Every robot begins with {s} = 1; from then on nobody sets it.`,
+    select: `*3. [Tournament](generation&generation=1&phase=tournament&individual=26).* {=chosen} wins {=wins} of {=bouts}. In the figure, *expected* is how many a robot of its {J} would win on average; the rest is luck. *Rank*: most wins first. *4. [Survive](generation&generation=1&phase=survivors&individual=26).* {=fate} Press the moves one by one, and look at others.`,
+    next: `These four moves are the paper’s EP. Nothing is crossed: an offspring has one parent. That there are 20 robots, and that the lower J goes first when the wins are equal, is our choice, and so is when to stop: after as many generations as one likes one takes the best robot. And how large should a step be? Every robot begins with {s} = 1; from then on nobody sets it.`,
   },
   /** @param {string} name @param {string} fate */
   fate: (name, fate) => `${name[0].toUpperCase()}${name.slice(1)} ${fate}.`,
@@ -44,7 +44,7 @@ export const generation = {
       ],
       /** @param {{ rose: number, fell: number, generations: number }} outcome */
       why: ({ rose, fell, generations }) =>
-        `In these ${generations} generations the best J fell ${fell} times and ${rose === 0 ? 'never rose' : `rose ${rose} times`}. Nobody has a lower J than the best: it wins every bout, whomever it meets, and among those with as many wins the lower J goes first. And it does not give way to its offspring; both stand in the same tournament.`,
+        `In these ${generations} generations the best J fell ${fell} times and ${rose === 0 ? 'never rose' : `rose ${rose} times`}. Nobody has a lower J than the best: it wins every bout, whomever it meets, and among those with as many wins the lower J goes first. And it does not give way to its offspring; both stand in the same tournament. That the best always survives is called *elitism*.`,
     },
   },
   tries: {

@@ -21,7 +21,7 @@ A method that follows the slope stumbles over edges and ripples, and may stop in
       question:
         'The goal turns on the spot, from 45° to 90°. Nothing else changes. What becomes of the lowest point?',
       choices: [
-        'It stays: good gains are good gains',
+        'It stays where it is',
         'It moves, but with the old gains the robot still arrives',
         'It moves, and with the old gains the robot does not arrive any more',
       ],

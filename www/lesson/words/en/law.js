@@ -8,15 +8,15 @@ export const law = {
     one: `This robot starts below the goal, so all three errors are there. *Only {kx} is on*; the other two gains are 0. It drives until {xe} is gone and stays there: {=side} m to the side, and turned wrong by {=turned}.
 
 A *gain* says how hard one error pushes. Each bar is one push at this moment, on the speed {v} or on the turn rate {w}. Added up, they are what the *law* asks for: the rule that turns the errors into {v} and {w}. The bars in the picture show them. Grey: beyond what the wheels can do.`,
-    written: `The clock stands where the law asks for most. Move it, and the bars follow the robot; move a slider, and they change at once. The formula, the paper’s (5) for a goal at rest, says the same: point at a term, and its slider, its pushes and its errors light up.`,
-    each: `So each gain looks after one error: {kx} after {xe}, {kt} after {te}, {ky} after {ye}. (Two more terms of {w} contain {ye}: the next step shows what they cancel.) Now two gains together.`,
+    written: `The time under the picture, the robot’s *clock*, stands where the law asks for most. Move it, and the bars follow the robot; move a slider, and they change at once. The formula, the paper’s (5) for a goal at rest, says the same: point at a term, and its slider, its pushes and its errors light up.`,
+    each: `So, first of all, each gain looks after one error: {kx} after {xe}, {kt} after {te}, {ky} after {ye}. But {kx} has a second push, the last term of {w}: while {xe} is left, it also steers the robot towards the goal’s line. (What it and the term with {ky} cancel, the next step shows.) Now two gains together.`,
     sideways: `Why does the {ky} term divide by sin {te}? The robot cannot drive sideways. To get over to the side it must turn a little, and drive; the less it has turned, the farther it must drive. When it has hardly turned at all, the law asks for the impossible, and most of all in {w}, where the term that goes with this one divides by the square: from the start with which this step opens, [the gains 3, 8, 5](lab&drives=hand&gains=3,8,5&start=1.5,0.5,0) ask for {=most} rad/s after {=at} s, and the limits leave {=leaves}.`,
     next: `Five terms, and none spoils the work of another? They were made that way. There is one quantity that they only bring down, as long as the gains are above zero and the wheels do what is asked at every instant.`,
   },
   pushes: {
     tableLabel: 'What each term of the law adds now',
     strip: 'The pushes over the whole drive, and the time of the robots in it',
-    stripHint: 'Pale: all together. Drag to move the clock.',
+    stripHint: 'Pale: the sum of all. Drag to move the clock.',
     speed: 'in m/s',
     turnRate: 'in rad/s',
     moving: 'from the moving goal',
@@ -28,7 +28,7 @@ A *gain* says how hard one error pushes. Each bar is one push at this moment, on
     beside: {
       question: '{kx} is 3, {kt} is 5, {ky} is 0: nothing looks after {ye}. Where does the robot end?',
       choices: [
-        'On the goal: the other two bring it there',
+        'On the goal, pointing the right way',
         'Beside the goal, pointing the right way',
         'Near the goal, pointing the wrong way',
       ],
@@ -44,17 +44,17 @@ A *gain* says how hard one error pushes. Each bar is one push at this moment, on
       /** @param {{ arrived: boolean, error: Posture, time: number, farthest: number }} outcome */
       why: ({ arrived, error, time, farthest }) =>
         arrived
-          ? `It arrives after ${fixed(time, 2)} s, ${fixed(Math.abs(error.y), 2)} m to the side. This start lies straight behind the goal. Turning takes the robot ${fixed(farthest, 2)} m off that line, no more, and the {kx} term of {w} steers it back. Nobody misses {ky} here. Remember that.`
+          ? `It arrives after ${fixed(time, 2)} s, ${fixed(Math.abs(error.y), 2)} m to the side. This start lies straight behind the goal. Turning takes the robot ${fixed(farthest, 2)} m off that line, no more, and the {kx} term of {w} steers it back. {ky} is not needed here. Remember that.`
           : `It ends with {xe} at ${fixed(error.x, 2)} m, {ye} at ${fixed(error.y, 2)} m and {te} at ${degreesText(error.theta)}.`,
     },
   },
   tries: {
     onlyKx: '{kx} alone: 3, 0, 0',
     onlyKt: '{kt} alone: 0, 0, 5. It turns on the spot, since {v} has no such term',
-    onlyKy: '{ky} alone: 0, 8, 0. It minds {ye} and nothing else',
+    onlyKy: '{ky} alone: 0, 8, 0. It reacts to {ye} and to nothing else',
     all: 'All three: 3, 8, 5',
     stuck: 'Start beside the goal with {ky} = 0: nothing moves',
-    shuffle: 'The same with {ky} = 8: it shuffles over, as one does in a parking space',
+    shuffle: 'The same with {ky} = 8: it goes to and fro, as one does in a parking space, and so comes over',
     unlimited:
       'All three on wheels without limits: the clock stops where {w} is largest. Look at its bar, then let the robot drive on',
   },

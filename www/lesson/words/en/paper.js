@@ -15,9 +15,9 @@ The *numbers themselves* are not the paper’s, and no honest program could make
       question:
         'The paper’s (9) prints the *commanded* velocity in the energy; we count what the wheels really do. Take it literally, for the arbitrary gains of Figure 4(b): what becomes of our J?',
       choices: [
-        'Hardly anything: the command is mostly within the limits',
-        'Two to three times as much',
-        'Far more',
+        'It hardly changes',
+        'It becomes two to three times as much',
+        'It becomes far more than that',
       ],
       /** @param {{ here: number, literal: number, there: number }} outcome */
       why: ({ here, literal, there }) =>

@@ -25,7 +25,7 @@ export const sigma = {
   },
   texts: {
     begin: `Too short a step gets nowhere. Too long a step misses. And what was right at the beginning is too long near the end. So nobody sets the *step size*: every robot has its own {s} for each gain, a standard deviation, and hands it to its offspring, times a random factor. This is *self-adaptation*. The factor is the exponential of a normal draw, so it is *log-normal* and always positive:`,
-    rates: `{N} is one draw for all three: all steps of an offspring grow or shrink together. {Nx}, {Ny} and {Nt}, drawn anew, change each by itself. {tau2} = {=common} and {tau} = {=own} are the paper’s, and so is {s} = 1 at the start. In 70 % of all births a new {s} lies between half and twice the old one.
+    rates: `{N} is one draw for all three: all steps of an offspring grow or shrink together. {N2x}, {N2y} and {N2t} change each by itself; they are new draws, not those that moved the gains. {tau2} = {=common} and {tau} = {=own} are the paper’s, and so is {s} = 1 at the start. In 70 % of all births a new {s} lies between half and twice the old one.
 
 Nobody judges {s} itself. Steps of a good length make good offspring, and these inherit it. The picture shows how the best robot came by its own: the bells of its family, from the first ancestor down; each is where the gain of the next offspring was likely to land. The curves show the mean {s} of all robots, on an axis on which equal distances are equal factors: after {=generation} generations {=sx} for {kx}, {=sy} for {ky}, {=st} for {kt}.`,
     collapse: `In the long run {s} falls. A short step cannot spoil much, so offspring made with short steps survive more often and hand them on. Nothing stops this: *the step sizes collapse*. With seed 1 they are below a millionth [after 300 generations](lab&generation=300&curve=sigmas), and evolution stands still, whether it has found the best place or not. How soon is chance: [with seed 13](lab&seed=13&generation=300&curve=sigmas) some steps are still large by then. The usual remedy is a floor that {s} may not fall below. The paper states none, so here is none; [step 11](lesson&step=contest) lets you try one.`,
@@ -61,6 +61,6 @@ Nobody judges {s} itself. Steps of a good length make good offspring, and these 
   },
   notice: [
     'At the beginning the curves rise, though {s} is halved as often as doubled: doubling adds more to a mean than halving takes away.',
-    'With seed 1 the step of {ky} collapses first. The best {ky} is close to 0, and J charges every gain below 0 heavily.',
+    'With seed 1 the step of {ky} collapses first. Step 10 shows why this one.',
   ],
 };

@@ -7,7 +7,8 @@ const heightText = (V) => (V < 1e4 ? fixed(V, 2) : costText(V));
 export const stability = {
   texts: {
     bowl: `Three errors are hard to watch at once. So take one number for all of them, {V}. Think of a bowl, the one in the picture: {V} is how high the robot stands on its wall. It is zero only at the bottom, where the robot is parked. At {=time} s it is {=V}. Play the drive, and watch the robot roll.`,
-    falls: `Now the trick. The law was *built* so that {V} can only fall. To see it, one needs to know how the errors move when the robot drives at {v} and {w}; {vr} and {wr}, the goal’s own speed and turn rate, are 0 for a goal at rest:`,
+    falls: `Now the trick. The law was *built* so that {V} can only fall. To see it, one needs to know how the errors move. A dot over a symbol means: how fast it changes. The robot itself moves by its {v} and its {w}:`,
+    errors: `Differentiate (3), put (2) in, and this is left. {vr} and {wr} are the goal’s own speed and turn rate, 0 for a goal at rest:`,
     chain: `How fast does {V} change? By the chain rule:`,
     left: `What is left is the rate at which {V} changes. It proves the paper’s Theorem 1, that the errors go to zero; for its proof the paper refers to an earlier paper, so this proof is ours:`,
     parts: `Three parts, one for each gain. Each is a square or a fourth power with a minus sign, so as long as its gain is positive, the part is never positive; and all three are zero together only at the bottom and at one other spot, which the last note below describes. In the figure the three are stacked in their colours; the line is how fast {V} really changes. Here no limit interferes, and the two agree. So the robot rolls down until it is at the bottom of the bowl. Such a {V} is called a *Lyapunov function*.`,
@@ -36,7 +37,7 @@ export const stability = {
   quizzes: {
     negative: {
       question:
-        '{ky} is set to −0.5, the other two stay above zero, and for two seconds the law decides 2000 times a second. What becomes of {V}?',
+        '{ky} is set to −0.5, the other two stay above zero. For two seconds the law decides 2000 times a second, nearly at every instant. What becomes of {V}?',
       choices: [
         'It still falls to zero, only later',
         'It stops falling before zero',

@@ -38,7 +38,7 @@ export const disturbance = {
   quizzes: {
     double: {
       question: '세 이득을 모두 두 배로 합니다. 로봇은 어디에 섭니까?',
-      choices: ['같은 곳. 바닥은 전과 똑같이 미끄러진다', '목표까지의 거리가 약 절반인 곳', '목표 위'],
+      choices: ['같은 곳', '목표까지의 거리가 약 절반인 곳', '목표 위'],
       /** @param {{ before: number, after: number }} outcome */
       why: ({ before, after }) =>
         `${fixed(before, 3)} m가 아니라 ${fixed(after, 3)} m 떨어진 곳입니다. 이득이 두 배이면 오차가 절반이어도 같은 명령이 나옵니다. 그러나 어떤 이득도 오차를 0으로 만들지는 못합니다. 오차가 없으면 명령도 없고, 바닥은 계속 미끄러지기 때문입니다.`,
@@ -46,11 +46,7 @@ export const disturbance = {
     random: {
       question:
         '이번에는 *무작위 외란*입니다. 1초에 100번, 매번 −0.1과 0.1 m/s 사이에서 새로 뽑습니다. 논문의 로봇은 마지막에 목표에서 얼마나 떨어져 있습니까?',
-      choices: [
-        '미끄러질 때보다 멀리. 무작위에는 익숙해질 수 없다',
-        '똑같이. 미끄러짐만큼 세게 민다',
-        '미끄러질 때보다 가까이',
-      ],
+      choices: ['미끄러질 때보다 멀리', '똑같이', '미끄러질 때보다 가까이'],
       /** @param {{ steady: number, random: number }} outcome */
       why: ({ steady, random }) =>
         `마지막 2초 동안 ${fixed(random, 3)} m 안에 머뭅니다. 미끄러질 때는 ${fixed(steady, 3)} m였습니다. 부호가 계속 바뀌는 외란은 대부분 서로 상쇄되지만 일정한 미끄러짐은 누적됩니다. 어려운 것은 일정한 외란입니다.`,

@@ -28,7 +28,7 @@ export const limits = {
   quizzes: {
     free: {
       question: '논문의 EP 이득으로 속도 제한 없이 달리면 J는 어떻게 됩니까?',
-      choices: ['낮아진다. 로봇이 마음대로 움직일 수 있으므로', '거의 그대로다', '높아진다'],
+      choices: ['낮아진다', '거의 그대로다', '높아진다'],
       /** @param {{ free: Driven, limited: Driven }} outcome */
       why: ({ free, limited }) =>
         `J는 ${costText(limited.run.cost.total)} → ${costText(free.run.cost.total)}입니다. 로봇은 ${arrival(free.run)}. 목표 가까이에서 {te}는 거의 0인데, 법칙은 그 사인으로 나눕니다. 그래서 명령이 큰 양수와 큰 음수 사이를 오갑니다. 이를 *채터링(chattering)*이라고 합니다. 가장 큰 각속도는 ${fixed(Math.max(...free.run.angular.map(Math.abs)), 0)} rad/s이고, 에너지는 그 제곱에 비례합니다.`,

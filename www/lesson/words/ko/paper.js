@@ -14,7 +14,7 @@ export const paper = {
     literal: {
       question:
         '논문의 식 (9)는 에너지에 *명령한* 속도를 쓰고, 이 페이지는 바퀴의 실제 속도를 씁니다. 식을 글자 그대로 읽으면 그림 4(b)의 임의 이득에서 J는 어떻게 됩니까?',
-      choices: ['거의 그대로. 명령은 대부분 제한 안에 있다', '두세 배가 된다', '훨씬 더 커진다'],
+      choices: ['거의 그대로다', '두세 배가 된다', '훨씬 더 커진다'],
       /** @param {{ here: number, literal: number, there: number }} outcome */
       why: ({ here, literal, there }) =>
         `J는 ${costText(here)} → ${costText(literal)}입니다. 논문의 값은 ${there}입니다. 목표 가까이에서 법칙이 거의 0인 수로 나누는 샘플 몇 개의 값이 주행 전체보다 큽니다. 이 페이지의 가중치로 보면 터무니없이 큰 값입니다. 식의 한 글자가 “같은 J”가 무엇인지를 결정합니다.`,

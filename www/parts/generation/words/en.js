@@ -49,7 +49,7 @@ export function sentence(anatomy, phase) {
   const stayed = survivors.filter((number) => number < count).length;
   const crossed = record.donors.filter(({ length }) => length > 0).length;
   return {
-    parents: `The ${counted(count, 'survivor', 'survivors')} of generation ${generation - 1}, best ranked first. Lower J is better.`,
+    parents: `The ${generation > 1 ? counted(count, 'survivor', 'survivors') : counted(count, 'robot', 'robots')} of generation ${generation - 1}, ${generation > 1 ? 'best ranked' : 'lowest J'} first. Lower J is better.`,
     mutation: `Each parent has one offspring: its gains move by the old σ times a random draw.${crossed > 0 ? ` ${crossed} of ${count} parents are crossed with another first.` : ''}`,
     drive: `The offspring drive and get their J: ${better} of ${count} drive better than their parent.`,
     tournament: `Each of the ${all.length} meets ${counted(record.opponents[0]?.length ?? 0, 'other', 'others')} drawn at random, and wins if its J is not higher.`,

@@ -1,0 +1,21 @@
+// Whom who drives is compared with, without a browser.
+import assert from 'node:assert/strict';
+import { rivalOf } from '../../../www/run/drivers.js';
+import { firstMaker, noExercise } from '../../../www/run/exercise.js';
+import { test } from '../harness/once.js';
+
+test('a hand is compared with evolution, and before it has begun with what it found in the paper', () => {
+  const state = { handGains: null, exercise: noExercise, maker: firstMaker };
+  const paperless = { ...state, exercise: { ...noExercise, hidden: /** @type {['paper']} */ (['paper']) } };
+  for (const [driver, generation, rival, rivalWithoutPaper] of /** @type {const} */ ([
+    ['hand', 0, 'paper-ep', 'evolved'],
+    ['hand', 1, 'evolved', 'evolved'],
+    ['paper-arbitrary', 0, 'paper-ep', 'evolved'],
+    ['paper-arbitrary', 7, 'evolved', 'evolved'],
+    ['paper-ep', 0, 'paper-arbitrary', 'evolved'],
+    ['evolved', 7, 'paper-arbitrary', 'evolved'],
+  ])) {
+    assert.equal(rivalOf({ ...state, driver, generation }), rival);
+    assert.equal(rivalOf({ ...paperless, driver, generation }), rivalWithoutPaper);
+  }
+});
