@@ -1,7 +1,6 @@
 // A drawing as a PNG file, twice as dense as CSS pixels or more, with texts inside that say what made it.
-/** @import { About, Drawing, Mark, Paint } from './marks.js' */
-import { isGradient } from './marks.js';
-import { cssFont } from './screen.js';
+/** @import { About, Drawing } from './marks.js' */
+import { svgOf } from './svg.js';
 import words from './words/index.js';
 
 const pixelsPerMetre = 96 / 0.0254;
@@ -9,9 +8,10 @@ const pixelsPerMetre = 96 / 0.0254;
 const beginning = 8 + 25;
 
 /** @param {Drawing} drawing @param {About} about @returns {Promise<Blob>} */
-export async function pngOf(drawing, { title, description, link, version }) {
+export async function pngOf(drawing, about) {
+  const { title, description, link, version } = about;
   const density = Math.max(2, globalThis.devicePixelRatio || 1);
-  const canvas = painted(drawing, density);
+  const canvas = await painted(svgOf(drawing, about), drawing, density);
   if (!isReadable(canvas, drawing.paper)) throw new Error(words.unreadable);
   const blob = await new Promise((resolve) => canvas.toBlob(resolve));
   if (!blob) throw new Error(`${canvas.width} × ${canvas.height}`);
@@ -35,67 +35,16 @@ function isReadable(canvas, paper) {
   return data.every((value, i) => i % 4 === 3 || Math.abs(value - (wanted[i % 4] ?? value)) <= 2);
 }
 
-/** @param {Drawing} drawing @param {number} density */
-function painted({ width, height, paper, marks }, density) {
+/** What the SVG file shows, as the browser draws it. @param {string} svg @param {Drawing} drawing @param {number} density */
+async function painted(svg, { width, height }, density) {
   const canvas = document.createElement('canvas');
   [canvas.width, canvas.height] = [width * density, height * density];
-  const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
-  context.fillStyle = paper;
-  context.fillRect(0, 0, canvas.width, canvas.height);
-  const dense = new DOMMatrix().scale(density);
-  for (const mark of marks) {
-    context.save();
-    for (const { d, matrix } of mark.clips) {
-      context.setTransform(dense.multiply(matrix));
-      context.clip(new Path2D(d));
-    }
-    context.setTransform(dense.multiply(mark.matrix));
-    paint(context, mark);
-    context.restore();
-  }
+  const image = new Image(canvas.width, canvas.height);
+  // Of a Blob, browsers let no page on a disk read what was drawn.
+  image.src = `data:image/svg+xml,${encodeURIComponent(svg)}`;
+  await image.decode();
+  canvas.getContext('2d')?.drawImage(image, 0, 0, canvas.width, canvas.height);
   return canvas;
-}
-
-/** @param {CanvasRenderingContext2D} context @param {Mark} mark */
-function paint(context, mark) {
-  const { fill, stroke, alpha } = mark;
-  context.globalAlpha = alpha;
-  if (fill) context.fillStyle = styleOf(context, fill);
-  if (stroke) {
-    context.strokeStyle = styleOf(context, stroke.paint);
-    context.lineWidth = stroke.width;
-    context.lineCap = /** @type {CanvasLineCap} */ (stroke.cap);
-    context.lineJoin = /** @type {CanvasLineJoin} */ (stroke.join);
-    context.setLineDash(stroke.dash);
-  }
-  if (mark.kind === 'image') {
-    context.imageSmoothingEnabled = mark.smooth;
-    context.drawImage(mark.source, ...mark.box);
-  } else if (mark.kind === 'shape') {
-    const path = new Path2D(mark.d);
-    if (fill) context.fill(path);
-    if (stroke) context.stroke(path);
-  } else {
-    context.font = cssFont(mark.font);
-    context.textAlign = mark.anchor === 'middle' ? 'center' : mark.anchor;
-    if (stroke) context.strokeText(mark.text, mark.x, mark.y);
-    if (fill) context.fillText(mark.text, mark.x, mark.y);
-  }
-}
-
-/** @param {CanvasRenderingContext2D} context @param {Paint} paint */
-function styleOf(context, paint) {
-  if (typeof paint === 'string') return paint;
-  if (isGradient(paint)) {
-    const { from, to, stops } = paint;
-    const gradient = context.createLinearGradient(...from, ...to);
-    for (const [offset, colour] of stops) gradient.addColorStop(offset, colour);
-    return gradient;
-  }
-  const { tile, scale } = paint;
-  const pattern = /** @type {CanvasPattern} */ (context.createPattern(tile, 'repeat'));
-  pattern.setTransform(new DOMMatrix().scale(scale));
-  return pattern;
 }
 
 const utf8 = (/** @type {string} */ text) => new TextEncoder().encode(text);

@@ -286,7 +286,7 @@ const fontOf = ({ fontStyle, fontWeight, fontSize, fontFamily }) => ({
 });
 
 /** @param {Font} font */
-export const cssFont = ({ style, weight, size, family }) => `${style} ${weight} ${size}px ${family}`;
+const cssFont = ({ style, weight, size, family }) => `${style} ${weight} ${size}px ${family}`;
 
 /** @param {Font} font */
 const ascentOf = (font) => measured(cssFont(font), 'alphabetic', 'x').fontBoundingBoxAscent;
