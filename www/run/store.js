@@ -39,6 +39,11 @@ export function createSlice(name, first, passing = [], lasting = [], asked = () 
     of,
     /** @param {Store} store @param {Partial<S>} patch */
     update: (store, patch) => store.keep(name, { ...of(store.get()), ...patch }),
+    /** The slice as it is now, and what changes it, for who has the one store. @param {Store} store */
+    at: (store) => ({
+      now: () => of(store.get()),
+      update: (/** @type {Partial<S>} */ patch) => store.keep(name, { ...of(store.get()), ...patch }),
+    }),
     /** @param {Pick<State, 'slices'>} state @returns {Partial<S>} */
     lasting: (state) => ({
       .../** @type {Partial<S>} */ (Object.fromEntries(lasting.map((field) => [field, of(state)[field]]))),

@@ -48,9 +48,7 @@ export function createRequests(engine, store) {
   /** @type {Spec | null} */
   let asked = null;
   let isRunning = false;
-
-  /** @param {Partial<import('./state.js').DisturbanceState>} patch */
-  const update = (patch) => disturbanceSlice.update(store, patch);
+  const { now, update } = disturbanceSlice.at(store);
 
   /** @param {Spec} spec */
   const ask = async (spec) => {
@@ -79,7 +77,7 @@ export function createRequests(engine, store) {
     },
 
     retry() {
-      if (disturbanceSlice.of(store.get()).message) asked = null;
+      if (now().message) asked = null;
     },
   };
 }

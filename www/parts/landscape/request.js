@@ -69,7 +69,7 @@ export function askedOf(spec, count) {
 /** @param {Engine} engine @param {Store} store */
 export function createLandscapeRequests(engine, store) {
   const channel = once(() => engine.surveys.channel());
-  const update = (/** @type {Partial<LandscapeState>} */ patch) => landscapeSlice.update(store, patch);
+  const { update } = landscapeSlice.at(store);
 
   return createRefining({
     counts,

@@ -55,8 +55,7 @@ export function createSight(element, store, lowestIn) {
 
 /** @param {Store} store */
 function createEvents(store) {
-  const update = (/** @type {Partial<LandscapeState>} */ patch) => landscapeSlice.update(store, patch);
-  const own = () => landscapeSlice.of(store.get());
+  const { now: own, update } = landscapeSlice.at(store);
   return {
     onTable() {
       const { result } = own();

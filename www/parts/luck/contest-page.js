@@ -18,9 +18,7 @@ import words from './words/index.js';
 /** @param {HTMLElement} element @param {Pick<Tools, 'engine' | 'store'>} tools */
 export function createContest(element, { engine, store }) {
   const requests = createContestRequests(engine, store);
-  const luck = () => luckSlice.of(store.get());
-  const update = (/** @type {Partial<import('./state.js').LuckState>} */ patch) =>
-    luckSlice.update(store, patch);
+  const { now: luck, update } = luckSlice.at(store);
   const on = {
     update,
     redraw: store.redraw,

@@ -47,7 +47,7 @@ function refusalOf(experiment, { seeds, budget }, count) {
 export function createContestRequests(engine, store) {
   /** @type {AbortController | null} */
   let running = null;
-  const luck = () => luckSlice.of(store.get());
+  const { now: luck, update } = luckSlice.at(store);
 
   /** One part of one contestant. @param {Contest} asked @param {number} index @param {[number, number]} seeds @param {AbortController} own */
   async function runPart({ experiment, lines, budget }, index, seeds, own) {
@@ -55,7 +55,7 @@ export function createContestRequests(engine, store) {
     const note = (patchOf) => {
       const { contest } = luck();
       if (running === own && contest)
-        luckSlice.update(store, { contest: withLine(contest, index, patchOf(contest.lines[index])) });
+        update({ contest: withLine(contest, index, patchOf(contest.lines[index])) });
     };
     try {
       const runs = await engine.surveys.trials(
@@ -76,12 +76,12 @@ export function createContestRequests(engine, store) {
       const { others, seeds, budget } = luck();
       const names = [null, ...others];
       const contestMessage = refusalOf(experiment, { seeds, budget }, names.length);
-      if (contestMessage) return luckSlice.update(store, { contestMessage });
+      if (contestMessage) return update({ contestMessage });
       const own = new AbortController();
       running = own;
       const lines = names.map((name) => ({ name, trials: [], error: '' }));
       const contest = { experiment, seeds, budget, lines, cancelled: false };
-      luckSlice.update(store, { contest, contestRuns: true, contestMessage: '' });
+      update({ contest, contestRuns: true, contestMessage: '' });
       // All contestants with the first seeds, then all with the next.
       const parts = partsOf(experiment, { seeds, budget }).flatMap((part) =>
         names.map((_, index) => runPart(contest, index, part, own)),
@@ -89,14 +89,14 @@ export function createContestRequests(engine, store) {
       await Promise.all(parts);
       if (running !== own) return;
       running = null;
-      luckSlice.update(store, { contestRuns: false });
+      update({ contestRuns: false });
     },
 
     /** Runs it where the lesson has asked for it, unless it is there. */
     follow() {
       const { contest, contestRuns, wanted } = luck();
       if (!wanted) return;
-      luckSlice.update(store, { wanted: false });
+      update({ wanted: false });
       if (contestRuns || !isWhole(contest, store.get().experiment, luck())) this.run();
     },
 
@@ -106,7 +106,7 @@ export function createContestRequests(engine, store) {
       running = null;
       aborted?.abort();
       const { contest } = luck();
-      luckSlice.update(store, { contestRuns: false, contest: contest && { ...contest, cancelled: true } });
+      update({ contestRuns: false, contest: contest && { ...contest, cancelled: true } });
     },
   };
 }

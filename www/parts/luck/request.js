@@ -2,7 +2,6 @@
 /** @import { Engine, Experiment, PaperResult, SeedRun } from '../../core/engine.js' */
 /** @import { State } from '../../run/state.js' */
 /** @import { Store } from '../../run/store.js' */
-/** @import { LuckState } from './state.js' */
 import { luckSlice } from './state.js';
 import { methods } from '../../core/methods.js';
 import { gainsOf } from '../../run/drivers.js';
@@ -45,14 +44,14 @@ export function surveyOf(state) {
 
 /** @param {Engine} engine @param {Store} store @param {PaperResult[]} paper */
 export function createSeedRequests(engine, store, paper) {
-  const update = (/** @type {Partial<LuckState>} */ patch) => luckSlice.update(store, patch);
+  const { now: luck, update } = luckSlice.at(store);
   const { begin, cancel } = createAttempts(update);
 
   return {
     run: () =>
       begin(async ({ signal, onProgress }) => {
         const { experiment } = store.get();
-        const { count, generations } = luckSlice.of(store.get());
+        const { count, generations } = luck();
         const began = performance.now();
         const gains = gainsOf(store.get(), 'paper-ep', paper);
         const seeds = { first: firstSeed, count, generations };
@@ -76,7 +75,7 @@ export function createSeedRequests(engine, store, paper) {
 
     /** Runs them where they were under way when the page was left for another language. */
     follow() {
-      if (!luckSlice.of(store.get()).seedsWanted) return;
+      if (!luck().seedsWanted) return;
       update({ seedsWanted: false });
       this.run();
     },

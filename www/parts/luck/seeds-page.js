@@ -24,20 +24,20 @@ import { seedTable } from './table.js';
 /** @param {HTMLElement} element @param {Tools} tools */
 export function createSeeds(element, { engine, store, actions, paper }) {
   const requests = createSeedRequests(engine, store, paper);
-  const luck = () => luckSlice.of(store.get());
+  const { now: luck, update } = luckSlice.at(store);
 
   /** Drives with the gains that a seed ended with. @param {number} index */
   const choose = (index) => {
     const run = luck().result?.runs[index];
     if (!run) return;
-    luckSlice.update(store, { chosen: index });
+    update({ chosen: index });
     actions.driveGains(run.champion.gains, 'luck');
     actions.driveAgain();
   };
   /** @param {number} index */
   const point = (index) => {
     const pointed = index < 0 ? null : index;
-    if (pointed !== luck().pointed) luckSlice.update(store, { pointed });
+    if (pointed !== luck().pointed) update({ pointed });
   };
   const on = createEvents(store, actions, requests, choose);
   const isFresh = remember(
@@ -106,9 +106,9 @@ function questionOf(state) {
 
 /** @param {Store} store @param {Actions} actions @param {ReturnType<typeof createSeedRequests>} requests @param {(index: number) => void} choose @returns {Events} */
 function createEvents(store, actions, requests, choose) {
-  const luck = () => luckSlice.of(store.get());
+  const { now: luck, update } = luckSlice.at(store);
   return {
-    update: (patch) => luckSlice.update(store, patch),
+    update,
     onRun: () => (luck().progress === null ? requests.run() : requests.cancel()),
     onRank: (rank) => choose(luck().result?.summary.ranking[rank - 1] ?? -1),
     onOpen: (seed, generation) => {

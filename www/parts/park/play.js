@@ -14,9 +14,7 @@ import { anyGains, firstGains, parkedOf } from './task.js';
 
 /** @param {Engine} engine @param {Store} store @param {PaperResult[]} paper @param {ReturnType<typeof import('./task.js').createTask>} task */
 export function createPlay(engine, store, paper, task) {
-  const slice = () => parkSlice.of(store.get());
-  const update = (/** @type {Parameters<typeof parkSlice.update>[1]} */ patch) =>
-    parkSlice.update(store, patch);
+  const { now: slice, update } = parkSlice.at(store);
   const breeding = createBreeding(engine, task);
   const handFilm = createHand(task);
   const gainsNow = () => slice().gains ?? (hidesPaper(store.get()) ? anyGains : firstGains(paper));

@@ -84,14 +84,15 @@ function createViews(element, store, actions) {
   const root = byIdIn(element, 'robustness-map');
   const size = followSize(root, store.redraw);
   followCursor(root, store, actions, size);
+  const { now, update } = robustnessSlice.at(store);
   return {
     size,
     map: createMap(root),
     legend: createLegend(byIdIn(element, 'robustness-legend')),
     rose: createRose(byIdIn(element, 'robustness-rose'), {
-      chosen: () => robustnessSlice.of(store.get()).heading,
-      onChoose: (heading) => robustnessSlice.update(store, { heading }),
-      onPoint: (lit) => robustnessSlice.update(store, { lit }),
+      chosen: () => now().heading,
+      onChoose: (heading) => update({ heading }),
+      onPoint: (lit) => update({ lit }),
     }),
   };
 }
@@ -111,8 +112,8 @@ function partsOfRose(survey, shading, quantity, cell) {
 
 /** A cursor for pointer and keys, and the drives from where it is. @param {HTMLElement} element @param {Store} store @param {Actions} actions @param {() => MapModel['size']} size */
 function followCursor(element, store, actions, size) {
-  const own = () => robustnessSlice.of(store.get());
-  const put = (/** @type {RobustnessState['cursor']} */ cursor) => robustnessSlice.update(store, { cursor });
+  const { now: own, update } = robustnessSlice.at(store);
+  const put = (/** @type {RobustnessState['cursor']} */ cursor) => update({ cursor });
   const watched = () => endsOf(store.get()).start;
   /** @param {MouseEvent} event */
   const at = (event) => {

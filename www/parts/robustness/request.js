@@ -44,18 +44,18 @@ export function createSurveyRequests(engine, store) {
     const runs = await engine.surveys.robustness(spec.experiment, asked, { channel: channel() });
     return { spec, grid, runs, tally: tally(runs), milliseconds: performance.now() - began };
   };
-  const onFailure = (/** @type {unknown} */ error) =>
-    robustnessSlice.update(store, { message: messageOf(error) });
+  const { now, update } = robustnessSlice.at(store);
+  const onFailure = (/** @type {unknown} */ error) => update({ message: messageOf(error) });
   const own = createRefining({
     counts: [coarse, fine],
     compute,
-    onResult: (survey) => robustnessSlice.update(store, { survey, message: '' }),
+    onResult: (survey) => update({ survey, message: '' }),
     onFailure,
   });
   const rival = createRefining({
     counts: [fine],
     compute,
-    onResult: (survey) => robustnessSlice.update(store, { rival: survey, message: '' }),
+    onResult: (survey) => update({ rival: survey, message: '' }),
     onFailure,
   });
 
@@ -63,7 +63,7 @@ export function createSurveyRequests(engine, store) {
     /** @param {Spec} spec @param {Spec} compared @param {boolean} moving */
     follow(spec, compared, moving) {
       own.follow(spec, moving);
-      const { survey } = robustnessSlice.of(store.get());
+      const { survey } = now();
       if (survey?.spec === spec && isFine(survey) && !moving) rival.follow(compared, false);
     },
 

@@ -39,14 +39,14 @@ export function createSight(element, store) {
   const tell = createTeller('robustness');
   /** Until there is a new survey, the old number stands with its own name. */
   let ofSurvey = { share: '', summary: '', sides: '' };
-  const update = (/** @type {Partial<RobustnessState>} */ patch) => robustnessSlice.update(store, patch);
+  const { now, update } = robustnessSlice.at(store);
   const on = {
     update,
     /** @param {string} choice */
     onHeadings: (choice) =>
       update({ heading: choice === 'all' ? null : headingNear(endsOf(store.get()).start.theta) }),
     onTable() {
-      const { survey } = robustnessSlice.of(store.get());
+      const { survey } = now();
       showTable(survey && robustnessTable(survey));
     },
   };

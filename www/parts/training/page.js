@@ -34,7 +34,7 @@ const lengthChoices = lengths.map(
 export function createPage({ engine, store, actions, paper }) {
   const element = createSection('training');
   const training = createTraining(engine, store, paper);
-  const update = (/** @type {Partial<TrainingState>} */ patch) => trainingSlice.update(store, patch);
+  const { update } = trainingSlice.at(store);
   const rowsOf = createRows();
 
   const { choose, tryFrom, evolve, workIfWanted } = createEvents({ store, actions }, training, rowsOf);

@@ -4,7 +4,6 @@
 /** @import { State } from '../../run/state.js' */
 /** @import { Store } from '../../run/store.js' */
 /** @import { SetName } from './sets.js' */
-/** @import { TrainingState } from './state.js' */
 import { trainingSlice } from './state.js';
 import { messageOf } from '../../words/errors.js';
 import { createRefining } from '../../core/refine.js';
@@ -111,7 +110,7 @@ async function evolveAll(engine, sets, experiment, generations, { signal, onProg
 /** @param {Engine} engine @param {Store} store @param {PaperResult[]} paper */
 export function createTraining(engine, store, paper) {
   const setsOf = createSets(engine);
-  const update = (/** @type {Partial<TrainingState>} */ patch) => trainingSlice.update(store, patch);
+  const { now, update } = trainingSlice.at(store);
   const attempts = createAttempts(update);
   /** @param {import('./state.js').Work} begun @param {Parameters<typeof attempts.begin>[0]} work */
   const begin = (begun, work) => {
@@ -151,7 +150,7 @@ export function createTraining(engine, store, paper) {
     evolve: () =>
       begin('evolved', async (options) => {
         const { experiment } = store.get();
-        const { generations } = trainingSlice.of(store.get());
+        const { generations } = now();
         const evolved = await evolveAll(engine, setsOf(experiment), experiment, generations, options);
         return { evolved, spread: null, byHand: handOf(store.get()) };
       }),
@@ -159,7 +158,7 @@ export function createTraining(engine, store, paper) {
     /** What was evolved, with other seeds. */
     spread: () =>
       begin('spread', async (options) => {
-        const { evolved } = trainingSlice.of(store.get());
+        const { evolved } = now();
         return evolved
           ? { spread: await evolveSeeds(engine, setsOf(evolved.experiment), evolved, options) }
           : {};

@@ -17,8 +17,8 @@ import { createWalk } from './walk.js';
 export function createAfter(tools, task, play, { note, side, size }) {
   const { engine, store } = tools;
   const look = createLook(engine, task);
-  const slice = () => parkSlice.of(store.get());
-  const show = (/** @type {number | null} */ looked) => parkSlice.update(store, { looked });
+  const { now: slice, update } = parkSlice.at(store);
+  const show = (/** @type {number | null} */ looked) => update({ looked });
   let wasEvolving = slice().evolving;
 
   /** The link to the drive of one robot alone. @param {State} state @param {number} index */
