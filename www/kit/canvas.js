@@ -59,6 +59,12 @@ export function strokeTwice(context, wide, narrow, path) {
   }
 }
 
+/** Begins a path: a circle. @param {CanvasRenderingContext2D} context @param {number} px @param {number} py @param {number} radius */
+export function circle(context, px, py, radius) {
+  context.beginPath();
+  context.arc(px, py, radius, 0, 2 * Math.PI);
+}
+
 /** A text with a halo, to be read on anything. @param {CanvasRenderingContext2D} context @param {string} text @param {number} px @param {number} py @param {{ fill: string, halo: string, width?: number }} look */
 export function fillTextWithHalo(context, text, px, py, { fill, halo, width = 5 }) {
   context.lineWidth = width;

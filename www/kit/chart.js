@@ -1,5 +1,5 @@
 // Line charts on canvases: axes, lines, bands and a cursor. Names at the lines are in names.js.
-import { createLayer } from './canvas.js';
+import { circle, createLayer } from './canvas.js';
 import { followSize } from './elements.js';
 import { outlineOf } from './extent.js';
 import { setLettering } from './lettering.js';
@@ -273,8 +273,7 @@ export function drawCursorDot(context, frame, px, py, token) {
   context.lineWidth = 2;
   context.strokeStyle = colour('--paper');
   context.fillStyle = colour(token);
-  context.beginPath();
-  context.arc(px, py, 5, 0, 2 * Math.PI);
+  circle(context, px, py, 5);
   context.fill();
   context.stroke();
 }
@@ -283,7 +282,6 @@ export function drawCursorDot(context, frame, px, py, token) {
 export function drawDot(context, px, py, token) {
   if (!Number.isFinite(py)) return;
   context.fillStyle = colour(token);
-  context.beginPath();
-  context.arc(px, py, 3.5, 0, 2 * Math.PI);
+  circle(context, px, py, 3.5);
   context.fill();
 }

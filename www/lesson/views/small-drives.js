@@ -1,7 +1,7 @@
 // Drives as small pictures side by side, each from the same start to the same goal, at the same time.
 import { drawBay, drawCar } from '../../lab/car.js';
 import { inMetres, postureAt, trace } from '../../lab/track.js';
-import { createLayer } from '../../kit/canvas.js';
+import { circle, createLayer } from '../../kit/canvas.js';
 import { create, followSize } from '../../kit/elements.js';
 import { watch } from '../../kit/memo.js';
 import { colour } from '../../kit/palette.js';
@@ -68,8 +68,7 @@ function drawRun(context, size, { experiment, run, others, beat, time, car, toke
   context.fillStyle = colour(token);
   for (const moment of beats(run, beat)) {
     const { x, y } = plane.placeOf(postureAt(run, moment));
-    context.beginPath();
-    context.arc(x, y, 2.5, 0, 2 * Math.PI);
+    circle(context, x, y, 2.5);
     context.fill();
   }
   drawCar(context, plane.placeOf(postureAt(run, time)), car, {

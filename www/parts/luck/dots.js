@@ -1,5 +1,5 @@
 // One dot a seed: where dots stand that would lie on each other, which of them is meant, and how they are drawn.
-import { strokeTwice } from '../../kit/canvas.js';
+import { circle, strokeTwice } from '../../kit/canvas.js';
 import { colour } from '../../kit/palette.js';
 
 /** Pixels along the axis, and away from it. @typedef {{ along: Float64Array, away: Float64Array }} Dots */
@@ -50,8 +50,7 @@ export function drawDots(context, { along, away }, diameter, token, place) {
   // Overlapping dots show where there are many.
   context.globalAlpha = 0.6;
   for (let i = 0; i < along.length; i += 1) {
-    context.beginPath();
-    context.arc(...place(along[i], away[i]), Math.max(1, diameter / 2 - 0.5), 0, 2 * Math.PI);
+    circle(context, ...place(along[i], away[i]), Math.max(1, diameter / 2 - 0.5));
     context.fill();
   }
   context.globalAlpha = 1;
@@ -59,7 +58,6 @@ export function drawDots(context, { along, away }, diameter, token, place) {
 
 /** Marks the seed in question. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y */
 export function drawRing(context, x, y) {
-  context.beginPath();
-  context.arc(x, y, 5.5, 0, 2 * Math.PI);
+  circle(context, x, y, 5.5);
   strokeTwice(context, [colour('--paper'), 5], [colour('--ink'), 2]);
 }

@@ -2,7 +2,7 @@
 /** @import { Posture } from '../../core/engine.js' */
 /** @import { Film } from './film.js' */
 /** @import { Drive } from './task.js' */
-import { createLayer } from '../../kit/canvas.js';
+import { circle, createLayer } from '../../kit/canvas.js';
 import { watch } from '../../kit/memo.js';
 import { colour } from '../../kit/palette.js';
 import { viewAround } from '../../kit/transform.js';
@@ -149,8 +149,7 @@ function drawLooked(context, plan, run, time, grown) {
   context.beginPath();
   trace(context, plan, run, sampleBefore(run, time));
   context.stroke();
-  context.beginPath();
-  context.arc(x, y, 0.24 * grown, 0, 2 * Math.PI);
+  circle(context, x, y, 0.24 * grown);
   context.stroke();
 }
 

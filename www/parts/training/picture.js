@@ -1,6 +1,6 @@
 // A picture of starts around the goal: filled where the robot arrives, red and without a tail where it does not.
 /** @import { Posture } from '../../core/engine.js' */
-import { strokeTwice } from '../../kit/canvas.js';
+import { circle, strokeTwice } from '../../kit/canvas.js';
 import { followSize } from '../../kit/elements.js';
 import { arrowOf, isChord } from '../../kit/keyboard.js';
 import { colour } from '../../kit/palette.js';
@@ -98,8 +98,7 @@ function drawStarts(context, { starts, arrived, goal, tried }, { scale, screenX,
   context.stroke();
   const current = starts.find((start) => isSame(start, tried));
   if (!current) return;
-  context.beginPath();
-  context.arc(screenX(current.x), screenY(current.y), size + 5, 0, 2 * Math.PI);
+  circle(context, screenX(current.x), screenY(current.y), size + 5);
   strokeTwice(context, [paper, 5], [ink, 2]);
 }
 
