@@ -1,5 +1,5 @@
 // Opens the page, once the words of its language are there.
-import { sayLoading } from './embed/loading.js';
+import { sayLoading } from './embed/frame.js';
 import { load } from './words/load.js';
 
 sayLoading();

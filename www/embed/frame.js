@@ -1,4 +1,5 @@
-// The sizes of a figure, and the height that it asks for.
+// The sizes of a figure, the height that it asks for, and the first that it says.
+import { isHeldByElement } from '../kit/host.js';
 
 /** Of the messages between a figure and its host, which messages.js describes. */
 export const version = 1;
@@ -28,4 +29,9 @@ const ofLesson = [1.2, 720];
 export function wantedHeight(parts, page, lesson, width) {
   const [share, most] = lesson > 0 ? ofLesson : (parts.find(({ name }) => name === page)?.figure ?? ofLab);
   return Math.round(Math.min(most, Math.max(leastHeight, share * width)));
+}
+
+/** To the element that holds it: that it is one, and on its way, however slow the network is. */
+export function sayLoading() {
+  if (isHeldByElement && parent !== window) parent.postMessage({ ep: version, type: 'loading' }, '*');
 }

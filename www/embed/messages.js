@@ -12,7 +12,7 @@
 // What is told of a drive belongs to the rest of the state: where the robot cannot be driven, the answer is an error. They are
 // done and answered in the order in which they came. But what reads waits only until what was set before has begun, what is
 // refused here waits for nothing, and a pause ends what was asked before it, the answers to which tell how far that came.
-// To <ep-locomotion> the figure first says { type: 'loading' }, from loading.js, while the rest of it is still on its way, and
+// To <ep-locomotion> the figure first says { type: 'loading' }, from frame.js, while the rest of it is still on its way, and
 // { type: 'loading', hears: true } once it can be asked. Its own link is the first thing that it does: by itself the figure says
 // { type: 'ready' } with its state once it has come as far as that says, or a pause has ended it, { type: 'generation' } with the
 // statistics of each generation once it is there, and { type: 'height' } when it would like another height. A figure that

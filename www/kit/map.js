@@ -2,7 +2,7 @@
 /** @import { Frame } from './chart.js' */
 import { fillTextWithHalo } from './canvas.js';
 import { isSideways, mayScroll } from './finger.js';
-import { strongFont } from './fonts.js';
+import { strongFont } from './lettering.js';
 import { arrowOf, isChord } from './keyboard.js';
 import { palette, shades } from './shades.js';
 import { once } from './memo.js';

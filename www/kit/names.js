@@ -1,8 +1,7 @@
 // The names at the lines of a chart, on its canvas.
 /** @import { Size } from './canvas.js' */
 /** @import { Frame } from './chart.js' */
-import { italicFont, strongFont, symbolFont, textFont } from './fonts.js';
-import { setLettering } from './lettering.js';
+import { setLettering, italicFont, strongFont, symbolFont, textFont } from './lettering.js';
 import { colour } from './palette.js';
 
 /**

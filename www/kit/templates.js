@@ -43,3 +43,6 @@ export const onEnter = (act) => (event) => {
 /** What closes a panel. @param {string} id @param {string} label @param {() => void} onClick */
 export const closeButton = (id, label, onClick) =>
   html`<button id=${id} type="button" class="icon" aria-label=${label} @click=${onClick}><svg viewBox="0 0 16 16" width="14" height="14" aria-hidden="true"><path d="M3 1.6 8 6.6l5-5L14.4 3l-5 5 5 5-1.4 1.4-5-5-5 5L1.6 13l5-5-5-5z"/></svg></button>`;
+
+/** Every second piece is a subscript. @param {readonly string[]} pieces */
+export const formula = (pieces) => pieces.map((piece, i) => (i % 2 ? html`<sub>${piece}</sub>` : piece));

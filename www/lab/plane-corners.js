@@ -3,7 +3,7 @@
 /** @import { View } from '../kit/transform.js' */
 /** @import { Room } from './plane-names.js' */
 import { referenceOf, sizes } from './track.js';
-import { strongFont } from '../kit/fonts.js';
+import { strongFont } from '../kit/lettering.js';
 import { knobOf } from '../kit/transform.js';
 import { isTracking } from '../core/reference.js';
 import { around, meet, namesIn, roomOf, widthOf } from './plane-names.js';

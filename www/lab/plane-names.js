@@ -1,7 +1,7 @@
 // The names of start and goal on the plane, each beside its arrow.
 /** @import { Posture, Run } from '../core/engine.js' */
 /** @import { View } from '../kit/transform.js' */
-import { textFont } from '../kit/fonts.js';
+import { textFont } from '../kit/lettering.js';
 import { once } from '../kit/memo.js';
 import { knobOf } from '../kit/transform.js';
 import { lab as strings } from '../words/index.js';

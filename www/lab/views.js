@@ -11,7 +11,6 @@ import { createPlane } from './plane.js';
 import { createSegmented, listed } from '../kit/segmented.js';
 import { createSigmas } from './sigmas.js';
 import { sigmas as sigmaWords, lab as strings, texts } from '../words/index.js';
-import { fillTexts } from '../kit/texts.js';
 import { language } from '../words/language.js';
 import { createPages } from './navigation.js';
 import { labSlice } from './state.js';
@@ -23,6 +22,17 @@ export function showMessage(text) {
   const message = byId('message');
   write(message, text);
   message.hidden = text === '';
+}
+
+/** Fills in those of index.html that are known, each by its name; what belongs to a part that is not there yet stays empty. @param {Readonly<Record<string, string>>} texts */
+function fillTexts(texts) {
+  for (const name of ['data-text', 'data-label', 'data-content'])
+    for (const element of document.querySelectorAll(`[${name}]`)) {
+      const text = texts[element.getAttribute(name) ?? ''];
+      if (text === undefined) continue;
+      if (name === 'data-text') element.textContent = text;
+      else element.setAttribute(name === 'data-label' ? 'aria-label' : 'content', text);
+    }
 }
 
 /** What index.html leaves to the language. */

@@ -12,10 +12,9 @@ import {
   within,
 } from '../../kit/chart.js';
 import { create } from '../../kit/elements.js';
-import { strongFont, textFont } from '../../kit/fonts.js';
 import { fillTextWithHalo } from '../../kit/canvas.js';
 import { colour } from '../../kit/palette.js';
-import { setLettering } from '../../kit/lettering.js';
+import { setLettering, strongFont, textFont } from '../../kit/lettering.js';
 import { fixed, powerOfTen } from '../../words/numbers.js';
 
 /** @import { Axes, Size } from '../../kit/chart.js' */

@@ -1,7 +1,7 @@
 // What the lines of a plot are called, at their ends and in their colours.
 /** @import { Run } from '../../core/engine.js' */
 /** @import { Column, Plot, PlotName } from './layout.js' */
-import { symbolFont, textFont } from '../../kit/fonts.js';
+import { symbolFont, textFont } from '../../kit/lettering.js';
 import { drawText } from '../drawing.js';
 import { rememberEach } from '../../kit/memo.js';
 import { labelHeight, spread } from '../../kit/names.js';

@@ -8,7 +8,7 @@ import { fillTextWithHalo } from '../../kit/canvas.js';
 import { drawCursorDot, drawCursorLine, pointsOf, strokeThrough, through } from '../../kit/chart.js';
 import { followSize } from '../../kit/elements.js';
 import { largest } from '../../kit/extent.js';
-import { textFont } from '../../kit/fonts.js';
+import { textFont } from '../../kit/lettering.js';
 import { colour } from '../../kit/palette.js';
 import { createWatchedLayer } from '../drawing.js';
 import { typed } from '../../words/numbers.js';

@@ -1,7 +1,7 @@
 // The table of what remains: a row for each part of the error, with its plot and its numbers.
 /** @import { PartName, Summary } from './summary.js' */
 import { html, nothing } from 'lit-html';
-import { formula } from '../../kit/formula.js';
+import { formula } from '../../kit/templates.js';
 import words from './words/index.js';
 import { parts } from './summary.js';
 

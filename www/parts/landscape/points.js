@@ -2,7 +2,7 @@
 /** @import { Triple } from '../../core/engine.js' */
 /** @import { Frame } from '../../kit/chart.js' */
 import { fillTextWithHalo, pathOf, strokeTwice } from '../../kit/canvas.js';
-import { strongFont } from '../../kit/fonts.js';
+import { strongFont } from '../../kit/lettering.js';
 import { dark, light } from '../../kit/map.js';
 import { drawMark } from '../../kit/swatch.js';
 import { styles } from '../../run/pins.js';

@@ -6,10 +6,10 @@
 /** @import { CostScale } from './scale.js' */
 import { gainNames } from './state.js';
 import { contours } from 'd3-contour';
-import { strokeTwice } from '../../kit/canvas.js';
+import { circle, strokeTwice } from '../../kit/canvas.js';
 import { drawNumbersBelow, drawNumbersBeside, through, within } from '../../kit/chart.js';
 import { followSize } from '../../kit/elements.js';
-import { textFont } from '../../kit/fonts.js';
+import { textFont } from '../../kit/lettering.js';
 import { dark, drawFrame, drawShades, light } from '../../kit/map.js';
 import { colour } from '../../kit/palette.js';
 import { shadeAt } from '../../kit/shades.js';
@@ -229,8 +229,7 @@ function drawMarks(context, { frame, x, y }, { spec, population, hasCrosses, ske
 
 /** @param {CanvasRenderingContext2D} context @param {readonly [number, number]} place @param {number} radius */
 function disc(context, [px, py], radius) {
-  context.beginPath();
-  context.arc(px, py, radius, 0, 2 * Math.PI);
+  circle(context, px, py, radius);
   context.fill();
   context.stroke();
 }

@@ -4,7 +4,7 @@
 /** @import { Standings } from './contest-summary.js' */
 import { drawCurve } from '../../kit/chart.js';
 import { colour } from '../../kit/palette.js';
-import { textFont } from '../../kit/fonts.js';
+import { textFont } from '../../kit/lettering.js';
 import { drawName, gutterOf, isNarrow, spreadBeside } from '../../kit/names.js';
 import { drawMark } from '../../kit/swatch.js';
 import { styles } from '../../run/pins.js';

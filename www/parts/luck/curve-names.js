@@ -2,7 +2,7 @@
 /** @import { Axes } from '../../kit/chart.js' */
 /** @import { Line, SeedCurveModel } from './curve.js' */
 /** @import { SeedSurvey } from './request.js' */
-import { textFont } from '../../kit/fonts.js';
+import { textFont } from '../../kit/lettering.js';
 import { drawAxisNames, drawName, labelHeight, spreadBeside } from '../../kit/names.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';

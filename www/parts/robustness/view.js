@@ -3,7 +3,7 @@
 /** @import { Grid } from './grid.js' */
 /** @import { Shading } from './scale.js' */
 import { scaleLinear } from 'd3-scale';
-import { strokeTwice } from '../../kit/canvas.js';
+import { circle, strokeTwice } from '../../kit/canvas.js';
 import { drawNumbersBelow, drawNumbersBeside, within } from '../../kit/chart.js';
 import { dark, drawFrame, drawShades, light, nameBeside } from '../../kit/map.js';
 import { kite } from '../../lab/track.js';
@@ -213,8 +213,7 @@ function arrow(context, { x, y }, posture, { fill, line, size }) {
 /** The heading of all starts of the map, in its corner. @param {CanvasRenderingContext2D} context @param {Axes['frame']} frame @param {number} angle */
 function drawHeading(context, frame, angle) {
   const [px, py] = [frame.right - 24, frame.top + 24];
-  context.beginPath();
-  context.arc(px, py, 17, 0, 2 * Math.PI);
+  circle(context, px, py, 17);
   context.fillStyle = light;
   context.strokeStyle = dark;
   context.lineWidth = 1.5;

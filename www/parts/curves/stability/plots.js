@@ -3,6 +3,7 @@
 /** @import { Axes } from '../../../kit/chart.js' */
 /** @import { Plots } from '../picture.js' */
 /** @import { Layout } from './layout.js' */
+import { circle } from '../../../kit/canvas.js';
 import {
   drawBand,
   drawCursorDot,
@@ -18,7 +19,7 @@ import { drawTimeAxis, timeTicks } from '../axes.js';
 import { drawPinMark, linesOf } from '../plots.js';
 import { createReady } from '../ready.js';
 import { outlineOf } from '../../../kit/extent.js';
-import { symbolFont } from '../../../kit/fonts.js';
+import { symbolFont } from '../../../kit/lettering.js';
 import { drawText } from '../../drawing.js';
 import { sampleBefore } from '../../../lab/track.js';
 import { colour } from '../../../kit/palette.js';
@@ -192,8 +193,7 @@ function drawName(context, { frame, y: scale }, end, after) {
   const { width, actualBoundingBoxAscent: ascent } = context.measureText(letter);
   context.fillText(after, px + width, py);
   // Not every font puts a dot over its letter.
-  context.beginPath();
-  context.arc(px + 0.6 * width, py - ascent - 2.5, 1.3, 0, 2 * Math.PI);
+  circle(context, px + 0.6 * width, py - ascent - 2.5, 1.3);
   context.fill();
 }
 

@@ -5,7 +5,7 @@
 /** @import { View } from '../page.js' */
 import { html, render } from 'lit-html';
 import { checkOf } from '../../fields.js';
-import { formula } from '../../../kit/formula.js';
+import { formula } from '../../../kit/templates.js';
 import { once, remember, watch } from '../../../kit/memo.js';
 import { createTeller } from '../../../lab/announcer.js';
 import { showTable } from '../../../lab/table-sheet.js';
