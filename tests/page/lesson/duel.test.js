@@ -189,9 +189,8 @@ pageTest('drive, lock in, predict; every number is the core’s', async (page) =
   );
 
   assert.match(await page.text('.duel-result'), /beyond the slider/);
-  await page.click('#duel-watch');
   await page.until(
-    'evolution’s robots',
+    'evolution’s robots drive by themselves',
     (parked) => document.getElementById('swarm-parked')?.textContent === parked,
     String(champion?.parked),
   );

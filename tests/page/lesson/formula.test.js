@@ -124,14 +124,23 @@ engineTest(
         dots: [...document.querySelectorAll('.formula-lines mover')].map((over) => {
           const [letter, dot] = [box(over.querySelector('mi')), box(over.querySelector('mo'))];
           const off = (dot.left + dot.right - letter.left - letter.right) / 2 / letter.width;
-          return { of: over.closest('[data-term]')?.getAttribute('data-term'), off: Math.abs(off) };
+          const term = over.closest('[data-term]') ?? over.querySelector('[data-term]');
+          return { of: term?.getAttribute('data-term'), off: Math.abs(off) };
         }),
         widths: ['V', 'Vdot'].map(
           (name) => box(document.querySelector(`${shown}="${name}"] mi, ${shown}="${name}"]:is(mi)`)).width,
         ),
       };
     });
-    assert.deepEqual([...new Set(dots.map(({ of }) => of))].sort(), ['Vdot', 'te', 'theta', 'x', 'xe', 'y', 'ye']);
+    assert.deepEqual([...new Set(dots.map(({ of }) => of))].sort(), [
+      'Vdot',
+      'te',
+      'theta',
+      'x',
+      'xe',
+      'y',
+      'ye',
+    ]);
     for (const { of, off } of dots) assert.ok(off < 0.3, `${of}: ${off} of its width beside it`);
     assert.ok(Math.abs(widths[0] - widths[1]) < 0.5, `V is ${widths} wide`);
   },

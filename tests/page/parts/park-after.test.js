@@ -99,12 +99,9 @@ pageTest('one walks from the own numbers to those of evolution, and the count fo
   /** @type {Triple} */
   const own = [5, 5, 5];
   assert.equal(await driver(page), `best robot of generation ${generation}`);
-  const shown = gains.map((gain) => (gain > 12 ? `${gain.toFixed(1)} →` : gain.toFixed(1)));
-  assert.deepEqual(
-    await marks(page),
-    shown.map((text) => ({ text, isBeyond: text.endsWith('→') })),
-  );
-  assert.ok(shown[1].endsWith('→'), 'one lies beyond its rail');
+  const shown = gains.map((gain) => ({ text: gain.toFixed(1), isBeyond: false }));
+  assert.deepEqual(await marks(page), shown, 'each is on its rail');
+  assert.ok(gains[1] > 12, 'one lay beyond it');
   const idle = () => page.evaluate(() => document.querySelector('#park-gains.is-idle') !== null);
   assert.ok(await idle());
   const before = await page.text('.park-table');
@@ -136,6 +133,30 @@ pageTest('one walks from the own numbers to those of evolution, and the count fo
   assert.equal(await counted(page), parked([6, 5, 5]));
   assert.ok(!(await idle()));
   assert.deepEqual(await page.obstacles('#park'), []);
+});
+
+pageTest('once evolution has gone beyond a slider that goes as far, and a hand parks all', async (page) => {
+  await page.open('#park');
+  const ends = () =>
+    page.evaluate(() =>
+      ['kx', 'ky', 'ktheta'].map((id) => document.getElementById(`park-${id}`)?.getAttribute('max')),
+    );
+  assert.deepEqual(await ends(), ['12', '12', '12']);
+  await evolved(page, 5);
+  const { gains } = bred(1);
+  const ky = 10 * Math.ceil(gains[1] / 10);
+  assert.ok(ky > 12);
+  assert.deepEqual(await ends(), ['12', String(ky), '12']);
+  assert.ok((await page.text('.park-say')).endsWith(`Now yours goes to ${ky}: try.`));
+  const found = gains.map((gain) => Math.round(10 * gain) / 10);
+  for (const [i, id] of ['kx', 'ky', 'ktheta'].entries()) await slide(page, id, found[i]);
+  assert.equal(await counted(page), 32);
+  assert.match(await page.text('.park-say'), /you park 32, now that your slider goes as far/);
+  const link = `park=${found}`;
+  await page.until('the address has it', (text) => location.hash.includes(text), link);
+  await page.open(`#park&v=1&${link}`);
+  assert.equal(await counted(page), 32, 'its link opens');
+  assert.deepEqual(await ends(), ['12', String(ky), '12']);
 });
 
 /** Where a place of the plane is on the picture, in pixels. @param {Page} page @param {{ x: number, y: number }} place */

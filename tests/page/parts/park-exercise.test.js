@@ -22,18 +22,19 @@ const ways = (page) =>
     ['park-lesson', 'park-lab', 'park-watch'].filter((id) => document.getElementById(id)?.checkVisibility()),
   );
 
-pageTest('from Park an exercise goes on in the lesson, as it does by the tab', async (page) => {
-  await evolvedIn(page, '&lock=clock');
-  const way = () => page.evaluate(() => document.getElementById('park-lesson')?.getAttribute('href'));
-  const tab = () => page.evaluate(() => document.getElementById('page-lesson')?.getAttribute('href'));
-  assert.equal(await way(), await tab());
-  await page.click('#park-lesson');
-  await page.until('the lesson is open', () => document.querySelector('#lesson:not([hidden]) h2'));
-  assert.equal(await page.text('#task'), 'Do it');
-  const address = await page.evaluate(() => decodeURIComponent(location.hash));
-  for (const pair of ['task=Do it', 'aim=J<8;drives<=9000', 'lock=clock'])
-    assert.ok(address.includes(pair), `${pair} in ${address}`);
-});
+pageTest(
+  'from Park an exercise goes on in the step of the lesson that makes a generation by hand',
+  async (page) => {
+    await evolvedIn(page, '&lock=clock');
+    await page.click('#park-lesson');
+    await page.until('the lesson is open', () => document.querySelector('#lesson:not([hidden]) h2'));
+    assert.equal(await page.text('#lesson h2'), 'One generation by hand');
+    assert.equal(await page.text('#task'), 'Do it');
+    const address = await page.evaluate(() => decodeURIComponent(location.hash));
+    for (const pair of ['task=Do it', 'aim=J<8;drives<=9000', 'lock=clock'])
+      assert.ok(address.includes(pair), `${pair} in ${address}`);
+  },
+);
 
 pageTest('where an exercise holds what a link of Park would change there is no such link', async (page) => {
   await evolvedIn(page, '');

@@ -226,7 +226,8 @@ function createRounds({ store, engine, actions }) {
     try {
       const round = await roundOf(engine, duel, nextSeed(duel));
       if (progressSlice.of(store.get()).duel === duel)
-        update(store, { duel: { ...duel, rounds: [...duel.rounds, round] } });
+        // Whoever has predicted wants to see it.
+        update(store, { duel: { ...duel, rounds: [...duel.rounds, round] }, sees: 'evolution' });
     } catch (error) {
       hasFailed = true;
       actions.say(messageOf(error));

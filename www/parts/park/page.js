@@ -16,9 +16,12 @@ import { isOver, parkedBy } from './film.js';
 import { createParkPicture } from './picture.js';
 import { createPlay } from './play.js';
 import { heading, sight } from './sight.js';
-import { mostGain, parkSlice } from './state.js';
+import { parkSlice } from './state.js';
 import { createTask, inLab, linkInLab, parkedOf } from './task.js';
 import words from './words/index.js';
+
+/** The step of the lesson that makes one generation by hand. */
+export const howStep = 7;
 
 /** @param {Tools} tools @returns {Page} */
 export function createPage(tools) {
@@ -68,7 +71,6 @@ export function createPage(tools) {
         over: isOver(film),
         count: task.starts.length,
         tolerance: task.tolerance,
-        most: mostGain,
         population: task.population,
       };
       const said = [parked, model.over, model.isOwn, after, shownExercise(state)];
@@ -78,7 +80,7 @@ export function createPage(tools) {
       const found = inLab(state, task.experiment);
       const lab = found && linkInLab(state, found, tools);
       const lesson = isFree(state, 'lesson')
-        ? withExercise(links.linkOfStep(1), state, engine.experiment)
+        ? withExercise(links.linkOfStep(howStep), state, engine.experiment)
         : null;
       const on = { ...play.on, lesson, lab };
       render(heading(model, after), head);

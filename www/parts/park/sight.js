@@ -5,10 +5,11 @@ import { html, nothing } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { styled, unless, valueIn } from '../../kit/templates.js';
 import { lab } from '../../words/index.js';
+import { reachOf } from './state.js';
 import words from './words/index.js';
 
 /** What there is once something has been tried, when it is there. @typedef {import('./after/page.js').After | null} After */
-/** @typedef {Omit<ParkState, 'gains'> & { gains: Triple, driven: Triple, driving: number, moved: boolean, isFree: boolean, isOwn: boolean, parked: number, over: boolean, count: number, most: number, population: number, tolerance: Experiment['tolerance'] }} Model `isFree`: the sliders can be moved; `isOwn`: the robots drive with the sliders' gains; `driven`: what they drive with, and `driving`: how many park so. */
+/** @typedef {Omit<ParkState, 'gains'> & { gains: Triple, driven: Triple, driving: number, moved: boolean, isFree: boolean, isOwn: boolean, parked: number, over: boolean, count: number, population: number, tolerance: Experiment['tolerance'] }} Model `isFree`: the sliders can be moved; `isOwn`: the robots drive with the sliders' gains; `driven`: what they drive with, and `driving`: how many park so. */
 /** @typedef {{ slide: (index: number, value: number) => void, again: () => void, evolve: () => void, stop: () => void, lesson: string | null, lab: string | null }} Events */
 
 /** @param {Model} model @param {After} after */
@@ -48,16 +49,12 @@ export function sight(model, on, after) {
 }
 
 /** @param {typeof lab.gains[number]} gain @param {number} index @param {Model} model @param {Events} on @param {After} after */
-function rowOf(
-  { id, name, letter, index: sub },
-  index,
-  { gains, driven, bred, isOwn, evolving, most },
-  on,
-  after,
-) {
+function rowOf({ id, name, letter, index: sub }, index, model, on, after) {
+  const { gains, driven, bred, isOwn, evolving } = model;
   const value = gains[index];
+  const most = reachOf(model, index);
   return html`<div class="gain ${id}">
-    <label for="park-${id}">${letter}<sub>${sub}</sub></label>
+    <label for="park-${id}">${letter}<sub>${sub}</sub> <span class="park-what">${words.whatFor[index]}</span></label>
     <input id="park-${id}" type="range" step="0.1" aria-label=${name} min="0" max=${most}
       .value=${live(String(value))} .disabled=${evolving} ${styled('--from', '0%')} ${styled('--to', `${(100 * value) / most}%`)}
       @input=${(/** @type {Event} */ event) => on.slide(index, Number(valueIn(event)))}>

@@ -16,8 +16,29 @@ import { createSlice } from '../../run/store.js';
  * @property {string} message
  */
 
-/** Where the sliders end, which begin at 0: no hand parks all with them. */
-export const mostGain = 12;
+/** Where the sliders end at first, which begin at 0: no hand parks all with them. */
+const mostAtFirst = 12;
+/** Where no slider of a link goes beyond. */
+export const mostGain = 1000;
+
+/**
+ * Where the slider of a gain ends: further than at first where evolution, once it has ended, or a link has gone further.
+ * @param {Pick<ParkState, 'gains' | 'bred' | 'evolving'>} state @param {number} index
+ */
+export function reachOf({ gains, bred, evolving }, index) {
+  const found = evolving ? undefined : bred.at(-1);
+  const largest = Math.max(gains?.[index] ?? 0, found?.gains[index] ?? 0);
+  return largest > mostAtFirst ? 10 * Math.ceil(largest / 10) : mostAtFirst;
+}
+
+/** Whether they are on no slider of the beginning. @param {Triple} gains */
+export const areFurther = (gains) => gains.some((gain) => gain > mostAtFirst);
+
+/** How far evolution has found a gain beyond the slider, and to where that goes on now; null: it has not. @param {readonly Bred[]} bred @param {number} index */
+export function beyondOf(bred, index) {
+  const gain = bred.at(-1)?.gains[index] ?? 0;
+  return gain > 1.5 * mostAtFirst ? { most: mostAtFirst, gain } : null;
+}
 
 const slice = createSlice(
   'park',

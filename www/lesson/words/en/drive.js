@@ -21,7 +21,7 @@ The paper that this page follows compares gains picked without evolution (here J
         : 'You have not driven yet. A drag of a slider counts as one drive.',
   quizzes: {
     bolder: {
-      question: 'Set all three numbers to 5, then to 10. What changes?',
+      question: 'All three numbers are 10 instead of 5. What changes?',
       choices: [
         'The robot arrives earlier, and J is lower',
         'It arrives earlier, but J is higher',

@@ -8,13 +8,17 @@ import { live } from 'lit-html/directives/live.js';
 import { styled, valueIn } from '../../../kit/templates.js';
 import { lab } from '../../../words/index.js';
 import { isDone } from '../breeding.js';
+import { areFurther, beyondOf, reachOf } from '../state.js';
 import { mineOf } from './walk.js';
 import park from '../words/index.js';
 import words from './words/index.js';
 
 /** @param {Model} model @param {Bred} found */
-export const ending = (model, found) =>
-  html`${words.ending(model, found, isDone(model.bred, model.count))}${found.gains[1] > 1.5 * model.most && found.parked > (model.best?.parked ?? 0) ? html`<span class="park-beyond"> ${words.beyond(model.most, found.gains[1])}</span>` : nothing}`;
+export function ending(model, found) {
+  const { best, bred, count } = model;
+  const isFar = beyondOf(bred, 1);
+  return html`${words.ending(model, found, isDone(bred, count), best !== null && areFurther(best.gains))}${isFar && found.parked > (best?.parked ?? 0) ? html`<span class="park-beyond"> ${words.beyond(isFar, reachOf(model, 1))}</span>` : nothing}`;
+}
 
 /** @param {number} share */
 const percentOf = (share) => Math.round(100 * share);

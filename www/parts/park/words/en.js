@@ -6,7 +6,7 @@ export const pictureName = 'The parking place';
 
 /** @param {number} count */
 export const invitation = (count) =>
-  `${count} robots, one parking place. All of them obey the same three numbers. Find three that park every robot.`;
+  `${count} robots, one parking place. All of them obey the same three numbers. How many can you park?`;
 
 /** @param {number} count */
 export const ofParked = (count) => `of ${count} parked`;
@@ -18,6 +18,8 @@ export const swarm = (generation, population) =>
   generation === 0 ? `best of ${population} random robots` : `best robot of generation ${generation}`;
 
 export const sliders = 'The three numbers';
+/** What each of them is for. */
+export const whatFor = ['ahead', 'aside', 'turn'];
 export const evolve = 'Let evolution try';
 export const stop = 'Stop';
 export const otherSeed = 'Evolve again, another seed';

@@ -4,20 +4,22 @@
 /** @import { Missed } from '../told.js' */
 import { fixed, grouped } from '../../../../words/en/numbers.js';
 
-/** @param {Pick<Model, 'best' | 'count'>} model @param {Pick<Bred, 'parked' | 'generation'>} found @param {boolean} isDone Else somebody has stopped it. */
-export function ending({ best, count }, { parked, generation }, isDone) {
+/** @param {Pick<Model, 'best' | 'count'>} model @param {Pick<Bred, 'parked' | 'generation'>} found @param {boolean} isDone Else somebody has stopped it. @param {boolean} [isFurther] The best by hand was on no slider before. */
+export function ending({ best, count }, { parked, generation }, isDone, isFurther = false) {
   if (!isDone) return `You stopped evolution at generation ${generation}: ${parked} of ${count}.`;
+  if (best && parked <= best.parked && isFurther)
+    return `Evolution parks ${parked} of ${count}; you park ${best.parked}, now that your slider goes as far.`;
   if (best && parked <= best.parked)
     return `Evolution ended at ${parked} of ${count}; you had ${best.parked}. That was luck, good or bad: try another seed.`;
   const after = `After ${generation} ${generation === 1 ? 'generation' : 'generations'}`;
   return parked === count
-    ? `${after} one robot parks from all ${count} starts. Nobody told evolution how: it was given one number for each robot, and kept what drove well.`
+    ? `${after} one robot parks from all ${count} starts. Nobody told evolution how: all it knew of a robot was one number.`
     : `${after} evolution parks ${parked} of ${count}.`;
 }
 
-/** Where evolution has gone beyond the slider. @param {number} most @param {number} ky */
-export const beyond = (most, ky) =>
-  `Your slider for ky ends at ${most}; evolution, which has no slider, went to ${fixed(ky, 0)}.`;
+/** Where evolution has gone beyond the slider, and where that ends now. @param {{ most: number, gain: number }} far @param {number} now */
+export const beyond = ({ most, gain }, now) =>
+  `Your slider for ky ended at ${most}, evolution went to ${fixed(gain, 0)}. Now yours goes to ${now}: try.`;
 
 /** @param {Bred} newest */
 export const climb = ({ generation, parked, drives }) =>

@@ -4,20 +4,22 @@
 /** @import { Missed } from '../told.js' */
 import { fixed, grouped } from '../../../../words/ko/numbers.js';
 
-/** @param {Pick<Model, 'best' | 'count'>} model @param {Pick<Bred, 'parked' | 'generation'>} found @param {boolean} isDone Else somebody has stopped it. */
-export function ending({ best, count }, { parked, generation }, isDone) {
+/** @param {Pick<Model, 'best' | 'count'>} model @param {Pick<Bred, 'parked' | 'generation'>} found @param {boolean} isDone Else somebody has stopped it. @param {boolean} [isFurther] The best by hand was on no slider before. */
+export function ending({ best, count }, { parked, generation }, isDone, isFurther = false) {
   if (!isDone)
     return `${generation}세대에서 진화를 멈추었습니다. 로봇 ${count}대 가운데 ${parked}대가 주차합니다.`;
+  if (best && parked <= best.parked && isFurther)
+    return `진화는 로봇 ${count}대 가운데 ${parked}대를 주차시켰고, 슬라이더가 그만큼 길어진 지금은 직접 ${best.parked}대를 주차시킵니다.`;
   if (best && parked <= best.parked)
     return `진화는 로봇 ${count}대 가운데 ${parked}대에서 끝났고, 직접 찾은 세 수로는 ${best.parked}대였습니다. 운이 작용하니 다른 시드로 다시 해 보십시오.`;
   return parked === count
-    ? `${generation}세대 만에 출발점 ${count}개 모두에서 주차하는 로봇이 나왔습니다. 방법을 알려 준 사람은 없습니다. 진화는 로봇마다 수 하나를 받고, 잘 주행한 로봇을 남겼을 뿐입니다.`
+    ? `${generation}세대 만에 출발점 ${count}개 모두에서 주차하는 로봇이 나왔습니다. 방법을 알려 준 사람은 없습니다. 진화가 로봇마다 아는 것은 수 하나뿐이었습니다.`
     : `${generation}세대 뒤에 진화는 로봇 ${count}대 가운데 ${parked}대를 주차시킵니다.`;
 }
 
-/** Where evolution has gone beyond the slider. @param {number} most @param {number} ky */
-export const beyond = (most, ky) =>
-  `ky 슬라이더는 ${most}에서 끝나지만, 슬라이더가 없는 진화는 ${fixed(ky, 0)}까지 갔습니다.`;
+/** Where evolution has gone beyond the slider, and where that ends now. @param {{ most: number, gain: number }} far @param {number} now */
+export const beyond = ({ most, gain }, now) =>
+  `ky 슬라이더는 ${most}에서 끝났고 진화는 ${fixed(gain, 0)}까지 갔습니다. 이제 ${now}까지 움직일 수 있으니 직접 해 보십시오.`;
 
 /** @param {Bred} newest */
 export const climb = ({ generation, parked, drives }) =>
