@@ -23,15 +23,19 @@ export function gainsOf(state, driver, paper) {
   return row.gains;
 }
 
+/** @param {State['experiment']} experiment */
+const isLikePapers = ({ law, limits }) =>
+  law === 'shim-kim' && limits.speed !== null && limits.turnRate !== null;
+
 /**
- * Whom who drives is compared with: a choice with evolution, or, before it has begun, with what it found in the paper; evolution with
- * the paper's choice; or, where the paper is hidden, with what was found by hand.
- * @param {Pick<State, 'driver' | 'handGains' | 'exercise' | 'maker' | 'generation'>} state @returns {Driver}
+ * Whom who drives is compared with: a choice with evolution, or, before it has begun, with what it found in the paper, for the law and
+ * for wheels such as those; evolution with the paper's choice; or, where the paper is hidden, with what was found by hand.
+ * @param {Pick<State, 'driver' | 'handGains' | 'exercise' | 'maker' | 'generation' | 'experiment'>} state @returns {Driver}
  */
 export function rivalOf(state) {
-  const { driver, handGains, generation } = state;
+  const { driver, handGains, generation, experiment } = state;
   if (driver === 'hand' || driver === 'paper-arbitrary')
-    return generation > 0 || hidesPaper(state) ? 'evolved' : 'paper-ep';
+    return generation === 0 && isLikePapers(experiment) && !hidesPaper(state) ? 'paper-ep' : 'evolved';
   if (!hidesPaper(state)) return 'paper-arbitrary';
   return handGains ? 'hand' : 'evolved';
 }

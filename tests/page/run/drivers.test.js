@@ -2,10 +2,13 @@
 import assert from 'node:assert/strict';
 import { rivalOf } from '../../../www/run/drivers.js';
 import { firstMaker, noExercise } from '../../../www/run/exercise.js';
+import { experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
 
 test('a hand is compared with evolution, and before it has begun with what it found in the paper', () => {
-  const state = { handGains: null, exercise: noExercise, maker: firstMaker };
+  const usual = experiment('velocity-limits');
+  const state = { handGains: null, exercise: noExercise, maker: firstMaker, experiment: usual };
+  const unlimited = { ...usual, limits: { ...usual.limits, turnRate: null } };
   const paperless = { ...state, exercise: { ...noExercise, hidden: /** @type {['paper']} */ (['paper']) } };
   for (const [driver, generation, rival, rivalWithoutPaper] of /** @type {const} */ ([
     ['hand', 0, 'paper-ep', 'evolved'],
@@ -16,6 +19,8 @@ test('a hand is compared with evolution, and before it has begun with what it fo
     ['evolved', 7, 'paper-arbitrary', 'evolved'],
   ])) {
     assert.equal(rivalOf({ ...state, driver, generation }), rival);
+    for (const other of [unlimited, { ...usual, law: /** @type {const} */ ('kanayama') }])
+      assert.notEqual(rivalOf({ ...state, driver, generation, experiment: other }), 'paper-ep');
     assert.equal(rivalOf({ ...paperless, driver, generation }), rivalWithoutPaper);
   }
 });
