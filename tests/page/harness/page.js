@@ -9,7 +9,7 @@ import { axeAddress } from './server.js';
 /** @typedef {{ x: number, y: number }} Point CSS pixels from the top left corner of an element */
 
 /** Generous, because it bounds only failures: a page that works is never waited for this long, however busy the machine. */
-export const patience = 90_000;
+export const patience = 300_000;
 /** A page that is left while something is awaited in it may never answer: then it is asked again. */
 const longestAnswer = 2000;
 

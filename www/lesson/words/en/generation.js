@@ -44,7 +44,7 @@ export const generation = {
       ],
       /** @param {{ rose: number, fell: number, generations: number }} outcome */
       why: ({ rose, fell, generations }) =>
-        `In these ${generations} generations the best J fell ${fell} times and ${rose === 0 ? 'never rose' : `rose ${rose} times`}. Nobody has a lower J than the best: it wins every bout, whomever it meets, and among those with as many wins the lower J goes first. And it does not give way to its offspring; both stand in the same tournament. That the best always survives is called *elitism*.`,
+        `The *fitness curve* shows the best J of each generation: in these ${generations} it fell ${fell} times and ${rose === 0 ? 'never rose' : `rose ${rose} times`}. Nobody has a lower J than the best: it wins every bout, whomever it meets, and among those with as many wins the lower J goes first. And it does not give way to its offspring; both stand in the same tournament. That the best always survives is called *elitism*.`,
     },
   },
   tries: {
