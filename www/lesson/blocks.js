@@ -149,10 +149,20 @@ function createQuestion({ name, quiz }, step, text, href, { store, actions, go, 
 const titleOf = (number) => first.titles[stepNames[number - 1]];
 
 /** @param {number} number */
+const isOnPath = (number) => number >= 1 && number <= pathLength;
+
+/** @param {number} number */
 export const nameOf = (number) => (number > pathLength ? titleOf(number) : `${number}  ${titleOf(number)}`);
 
-/** Where one is, and a way to every step. @param {number} number @param {Tools['go']} go */
+/** Where one is, and a way to every step, to those beside it by one press. @param {number} number @param {Tools['go']} go */
 function head(number, go) {
+  const way = (
+    /** @type {number} */ other,
+    /** @type {string} */ sign,
+    /** @type {(title: string) => string} */ text,
+  ) =>
+    html`<a class="lesson-way" href=${isOnPath(other) ? `#${linkOfStep(other)}` : nothing}
+      aria-label=${isOnPath(other) ? text(titleOf(other)) : nothing} aria-hidden=${isOnPath(other) ? nothing : 'true'}>${sign}</a>`;
   const options = (/** @type {number} */ from, /** @type {number} */ to) =>
     stepNames.slice(from, to).map((_, i) => {
       const one = from + i + 1;
@@ -164,6 +174,7 @@ function head(number, go) {
       @change=${(/** @type {{ target: HTMLSelectElement }} */ { target }) => go(linkOfStep(Number(target.value)))}>
       ${options(0, pathLength)}<optgroup label=${words.besidePath}>${options(pathLength, stepNames.length)}</optgroup>
     </select>
+    ${number > pathLength ? nothing : html`${way(number - 1, '‹', words.previousStep)}${way(number + 1, '›', words.nextStep)}`}
   </div>`;
 }
 
@@ -174,7 +185,7 @@ function foot(number) {
     /** @type {string} */ look,
     /** @type {(title: string) => string} */ text,
   ) =>
-    other < 1 || other > pathLength
+    !isOnPath(other)
       ? nothing
       : html`<a class=${look} href=${`#${linkOfStep(other)}`}>${text(titleOf(other))}</a>`;
   if (number > pathLength) return html`<nav class="lesson-foot">${to(1, 'step-back', words.toPath)}</nav>`;

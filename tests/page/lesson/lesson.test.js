@@ -235,6 +235,9 @@ pageTest('the focus and the title of the page go with the step', async (page) =>
   await page.focus('.step-on');
   await page.press(Key.ENTER);
   await stands(`2 ${en.titles.error}`, 'lesson-title');
+  await page.click('.lesson-head [aria-label^="Next: "]');
+  await stands(`3 ${en.titles.law}`, 'lesson-title');
+  await page.click('.lesson-head [aria-label^="Back: "]');
   await page.focus('#lesson-step');
   await page.press(Key.ARROW_DOWN);
   await stands(`3 ${en.titles.law}`, 'lesson-step');
