@@ -23,9 +23,14 @@ const isWithoutNoise = ({ disturbance }) => disturbance.kind !== 'random';
 
 /** @param {Experiment} experiment */
 const isNoEp = ({ evolution }) => evolution.method !== 'ep';
+/** Every σ is 0, and stays. @param {Experiment} experiment */
+const isNoEpThatMoves = ({ evolution: { method, initialSigma, sigmaFloor } }) =>
+  method !== 'ep' || (initialSigma === 0 && sigmaFloor === 0);
+/** One parent has nobody to be crossed with, and of two the better stays, whoever chooses. @param {Experiment} experiment */
+const isNoEpOfSome = ({ evolution: { method, population } }) => method !== 'ep' || population === 1;
 /** @param {Experiment} experiment */
-const isWithoutTournament = ({ evolution }) =>
-  evolution.method !== 'ep' || evolution.selection !== 'tournament';
+const isWithoutTournament = (experiment) =>
+  isNoEpOfSome(experiment) || experiment.evolution.selection !== 'tournament';
 /** @param {Experiment} experiment */
 const goesPointByPoint = ({ evolution }) => methods[evolution.method].trials !== 'population';
 /** @param {Experiment} experiment */
@@ -89,11 +94,11 @@ export const table = {
   method: [
     row('evolution.method'),
     row('evolution.belowZero'),
-    row('evolution.step', undefined, undefined, isNoEp),
-    row('evolution.adaptation', undefined, { from: 0, to: 3, step: 0.05 }, isNoEp),
+    row('evolution.step', undefined, undefined, isNoEpThatMoves),
+    row('evolution.adaptation', undefined, { from: 0, to: 3, step: 0.05 }, isNoEpThatMoves),
     row('evolution.sigmaFloor', symbol('σ', 'min'), { from: 0, to: 1, step: 0.01 }, isNoEp),
-    row('evolution.selection', undefined, undefined, isNoEp),
-    row('evolution.crossover', undefined, { from: 0, to: 1, step: 0.05 }, isNoEp),
+    row('evolution.selection', undefined, undefined, isNoEpOfSome),
+    row('evolution.crossover', undefined, { from: 0, to: 1, step: 0.05 }, isNoEpOfSome),
   ],
 };
 

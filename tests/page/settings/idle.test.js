@@ -1,4 +1,4 @@
-// A setting is shown as idle just where it changes nothing.
+// A setting is shown as idle just where it changes nothing, whatever word another one has.
 import assert from 'node:assert/strict';
 import { rows } from '../../../www/settings/table.js';
 import { experiment, fields, historyOf, wordFields } from '../harness/core.js';
@@ -10,7 +10,7 @@ const general = (/** @type {string} */ path) => path.replace(/\[\d\]/, '[]');
 const wordsOf = new Map(wordFields().map(({ path, words }) => [path, words]));
 const numbers = new Map(fields().map((field) => [field.path, field]));
 
-/** @param {Experiment} from @param {string} path */
+/** A copy, and where the setting stands in it. @param {Experiment} from @param {string} path */
 function placeOf(from, path) {
   const changed = structuredClone(from);
   const names = path.replace(/\[(\d)\]/, '.$1').split('.');
@@ -56,17 +56,18 @@ const lively = (() => {
   };
 })();
 
-/** @param {string} field */
-const wordsIn = (field) => /** @type {readonly any[]} */ (wordsOf.get(field));
+/** @param {string} path @param {string | number} value @returns {Experiment} */
+function livelyBut(path, value) {
+  const { changed, holder, last } = placeOf(lively, path);
+  holder[last] = value;
+  return changed;
+}
+
 const experiments = [
-  ...wordsIn('evolution.method').flatMap((method) =>
-    (method === 'ep' ? wordsIn('evolution.selection') : ['tournament']).map((selection) => ({
-      ...lively,
-      evolution: { ...lively.evolution, method, selection },
-    })),
-  ),
-  { ...lively, evolution: { ...lively.evolution, crossover: 0.5 } },
-  ...wordsIn('disturbance.kind').map((kind) => ({ ...lively, disturbance: { ...lively.disturbance, kind } })),
+  ...wordFields().flatMap(({ path, words }) => words.map((word) => livelyBut(path, word))),
+  livelyBut('evolution.crossover', 0.5),
+  livelyBut('evolution.initialSigma', 0),
+  livelyBut('evolution.population', 1),
 ];
 
 test('a setting is idle just where no other value of it changes what is found', () => {
@@ -74,11 +75,11 @@ test('a setting is idle just where no other value of it changes what is found', 
     const now = found(from);
     for (const { path, isIdle } of rows.filter(({ path }) => /^(disturbance|evolution)\./.test(path))) {
       const changes = othersOf(from, path).some((other) => found(other) !== now);
-      const { method, selection } = from.evolution;
+      const { law, disturbance, evolution } = from;
       assert.equal(
         isIdle?.(from) ?? false,
         !changes,
-        `${path} in ${method}, ${selection}, ${from.disturbance.kind}`,
+        `${path} in ${JSON.stringify({ law, disturbance, evolution })}`,
       );
     }
   }
