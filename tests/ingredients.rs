@@ -40,20 +40,29 @@ fn each_method_and_each_ingredient_is_defined_in_words() {
     }
     let fields = Experiment::fields();
     let words = fields.words.iter().map(|field| &field.path);
-    for path in fields.numbers.iter().map(|field| &field.path).chain(words) {
-        let Some(name) = path.strip_prefix("evolution.") else { continue };
-        let name = name.trim_end_matches("[]");
+    let names: Vec<_> = fields.numbers.iter().map(|field| &field.path).chain(words).collect();
+    let names = names.iter().filter_map(|path| path.strip_prefix("evolution."));
+    let names: Vec<_> = names.map(|name| name.trim_end_matches("[]")).collect();
+    // What stands in backquotes is a setting, or belongs to the one before it.
+    let mut of = "";
+    let mut said = Vec::new();
+    for quoted in text.split('`').skip(1).step_by(2) {
+        if names.contains(&quoted) {
+            of = quoted;
+        }
+        said.push((of, quoted));
+    }
+    for name in names {
         // The table begins with the methods, and has the paper's q; a seed is no ingredient.
         if !["method", "opponents", "seed"].contains(&name) {
-            assert!(text.contains(&format!("`{name}`")), "METHODS.md does not say what {name} is");
+            assert!(said.contains(&(name, name)), "METHODS.md does not say what {name} is");
         }
     }
-    for (path, words) in WORDS.iter().filter(|(path, _)| path.starts_with("evolution.")) {
-        for word in *words {
-            assert!(
-                text.contains(&format!("`{word}`")),
-                "METHODS.md does not say what {path} {word} is"
-            );
+    for (path, words) in WORDS {
+        let name = path.strip_prefix("evolution.").filter(|name| *name != "method");
+        let Some(name) = name else { continue };
+        for &word in words {
+            assert!(said.contains(&(name, word)), "METHODS.md does not say what {name} {word} is");
         }
     }
 }
