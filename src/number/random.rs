@@ -3,9 +3,19 @@
 use rand::SeedableRng;
 use rand::rngs::Xoshiro256PlusPlus;
 
-/// What a stream of random numbers is for. Each purpose has its own, so that showing more never shifts a draw.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Purpose {
+macro_rules! purposes {
+    ($($(#[$about:meta])* $name:ident,)*) => {
+        /// What a stream of random numbers is for. Each purpose has its own, so that showing more never shifts a draw.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub(crate) enum Purpose { $($(#[$about])* $name,)* }
+
+        #[cfg(test)]
+        const PURPOSES: &[Purpose] = &[$(Purpose::$name,)*];
+    };
+}
+
+// New ones go to the end: where a stream begins depends on the place.
+purposes! {
     Initialisation,
     Mutation,
     Tournament,
@@ -72,20 +82,10 @@ mod tests {
 
     use super::*;
 
-    const PURPOSES: [Purpose; 7] = [
-        Purpose::Initialisation,
-        Purpose::Mutation,
-        Purpose::Tournament,
-        Purpose::Disturbance,
-        Purpose::Starts,
-        Purpose::Steps,
-        Purpose::Partners,
-    ];
-
     fn each_stream<T>(of: impl Fn(u32, Purpose, u32) -> T) -> Vec<T> {
         let indices = [0, 1, 7, 8, LARGEST_INDEX];
         let mut all = Vec::new();
-        for purpose in PURPOSES {
+        for &purpose in PURPOSES {
             for seed in [0, 1, u32::MAX] {
                 all.extend(indices.map(|index| of(seed, purpose, index)));
             }
