@@ -110,6 +110,20 @@ test('whatever the method, Korean counts robots as robots, and none that is left
   }
 });
 
+test('the name of the chosen one goes to a side where it covers no other', () => {
+  const size = { width: 493, height: 180 };
+  const own = { x: 200, y: 90 };
+  const [above, below, right] = [{ x: 220, y: 72 }, { x: 190, y: 112 }, { x: 240, y: 90 }]; // biome-ignore format: three marks
+  const at = (/** @type {{ x: number, y: number }[]} */ ...others) =>
+    writingOf(own, [own, ...others], size, false, 'robot 2');
+  assert.ok(at().y < own.y);
+  assert.ok(at(above).y > own.y);
+  const beside = at(above, below);
+  assert.ok(beside.side === 'begin' && beside.x > own.x);
+  assert.equal(at(above, below, right).side, 'end');
+  assert.ok(writingOf(own, [own], size, true, 'robot 2').y > own.y);
+});
+
 test('in a ranking the names of the two whom luck told apart cover no mark, and stand at their own', () => {
   const size = { width: 528, height: 245 };
   for (const seed of [1, 2, 3, 4, 5])

@@ -3,14 +3,13 @@ import assert from 'node:assert/strict';
 import { bell, shareOf } from '../../../www/parts/generation/bell.js';
 import { ratesOf } from '../../../www/parts/generation/birth.js';
 import { detailsOf } from '../../../www/parts/generation/details.js';
-import { writingOf } from '../../../www/parts/generation/notes.js';
 import { columnsOf, placesOf } from '../../../www/parts/generation/places.js';
 import { dissect } from '../../../www/parts/generation/record.js';
 import { generationTable } from '../../../www/parts/generation/table.js';
 import * as en from '../../../www/parts/generation/words/en.js';
 import * as ko from '../../../www/parts/generation/words/ko.js';
 import { pageTest } from '../harness/browsers.js';
-import { createEngine, Evolution, experiment } from '../harness/core.js';
+import { createEngine, Evolution, experiment, wordFields } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { written } from '../harness/templates.js';
 import { numbersIn, same } from './generation-page.js';
@@ -38,23 +37,25 @@ function toldOf(anatomy, chosen, adaptation = 1) {
   return { text: plain(html), equations };
 }
 
+/** What evolutionary programming may be made of: for each choice, all its words. @type {readonly Partial<Settings>[][]} */
+const choices = wordFields()
+  .filter(({ path }) => path.startsWith('evolution.') && path !== 'evolution.method')
+  .map(({ path, words }) => words.map((word) => ({ [path.replace('evolution.', '')]: word })));
+
 /** @type {readonly Partial<Settings>[]} */
 const ingredients = [
-  {},
+  ...choices.flat(),
   { adaptation: 0 },
   { adaptation: 0.5 },
-  { belowZero: 'clamp' },
-  { belowZero: 'mirror' },
   { sigmaFloor: 0.5 },
   { crossover: 1 },
   { crossover: 0.5, belowZero: 'mirror', sigmaFloor: 1 },
-  { step: 'cauchy' },
 ];
 
 test('what is written of a mutation is true, whatever it is made of: each equation comes to what follows it', () => {
+  let arrows = 0;
   for (const change of ingredients) {
     const { adaptation = 1 } = change;
-    let arrows = 0;
     for (const generation of [1, 3]) {
       const anatomy = anatomyOf(change, generation);
       const { record, count } = anatomy;
@@ -75,12 +76,39 @@ test('what is written of a mutation is true, whatever it is made of: each equati
           const most = isGain ? 0.500001 / 10 ** digits : 0.005 * (1 + value);
           assert.ok(Math.abs(value - Number(came)) <= most, what);
           same(rest[0] ?? came, isGain ? child.gains[i / 2] : child.sigmas[(i - 1) / 2], what);
+          assert.notEqual(rest[0], came, what);
           arrows += rest.length;
         }
       }
     }
-    assert.equal(arrows > 0, change.belowZero !== undefined || change.sigmaFloor !== undefined, `${arrows}`);
   }
+  assert.ok(arrows > 0);
+});
+
+/** The first births, some of gains below 0, and what is said of them, without their numbers. @param {Partial<Settings>} word */
+function birthsOf(word) {
+  const anatomy = anatomyOf({ initialSigma: 5, crossover: 0.5, ...word });
+  const { parents, offspring } = anatomy.record;
+  const texts = offspring.flatMap((_, pair) => toldOf(anatomy, pair).text.split(' '));
+  const said = new Set(texts.filter((text) => !/[\d→]/.test(text)));
+  return {
+    word: JSON.stringify(word),
+    parents: JSON.stringify(parents),
+    offspring: JSON.stringify(offspring),
+    said: [...said].sort().join(' '),
+  };
+}
+
+test('a word by which the same parents have other offspring is said', () => {
+  let others = 0;
+  for (const births of choices.map((words) => words.map(birthsOf)))
+    for (const [i, one] of births.entries())
+      for (const other of births.slice(i + 1).filter(({ parents }) => parents === one.parents)) {
+        if (one.offspring === other.offspring) continue;
+        others += 1;
+        assert.notEqual(one.said, other.said, `${one.word} and ${other.word}`);
+      }
+  assert.ok(others > 0);
 });
 
 test('who has no offspring beside it stands above its own number', () => {
@@ -97,20 +125,6 @@ test('who has no offspring beside it stands above its own number', () => {
       assert.equal(survivors[anatomy.ranking[number]].x, x(number));
     }
   }
-});
-
-test('the name of the chosen one goes to a side where it covers no other', () => {
-  const size = { width: 493, height: 180 };
-  const own = { x: 200, y: 90 };
-  const [above, below, right] = [{ x: 220, y: 72 }, { x: 190, y: 112 }, { x: 240, y: 90 }]; // biome-ignore format: three marks
-  const at = (/** @type {{ x: number, y: number }[]} */ ...others) =>
-    writingOf(own, [own, ...others], size, false, 'robot 2');
-  assert.ok(at().y < own.y);
-  assert.ok(at(above).y > own.y);
-  const beside = at(above, below);
-  assert.ok(beside.side === 'begin' && beside.x > own.x);
-  assert.equal(at(above, below, right).side, 'end');
-  assert.ok(writingOf(own, [own], size, true, 'robot 2').y > own.y);
 });
 
 test('where an arrow may stand its rule is written, and where the draws are Cauchy’s the formula says so', () => {
