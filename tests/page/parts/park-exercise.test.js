@@ -48,6 +48,7 @@ pageTest('where an exercise holds what a link of Park would change there is no s
     ['hide=lesson', ['park-lab', 'park-watch']],
     ['hide=paper', ['park-lab', 'park-watch']],
     ['lock=gains', ['park-lesson', 'park-lab']],
+    ['hide=gains', ['park-lesson', 'park-lab']],
     ['lock=run', ['park-lesson', 'park-watch']],
     ...['parts', 'postures', 'settings', 'seed', 'drives'].map(
       (group) => /** @type {const} */ ([`lock=${group}`, ['park-lesson']]),
@@ -64,6 +65,8 @@ pageTest('where an exercise holds what a link of Park would change there is no s
       exercise,
     );
     assert.deepEqual(await ways(page), left, exercise);
+    const isBetween = await page.evaluate(() => document.getElementById('park-between') !== null);
+    assert.equal(isBetween, exercise !== 'hide=gains', exercise);
     await page.click('#keep-button');
     await page.until('Share is there', () => document.querySelector('#keep #keep-link'));
     const isShared = await page.evaluate(() => document.getElementById('keep-lab') !== null);
