@@ -30,12 +30,12 @@ const isLikePapers = ({ law, limits }) =>
 /**
  * Whom who drives is compared with: a choice with evolution, or, before it has begun, with what it found in the paper, for the law and
  * for wheels such as those; evolution with the paper's choice; or, where the paper is hidden, with what was found by hand.
- * @param {Pick<State, 'driver' | 'handGains' | 'exercise' | 'maker' | 'generation' | 'experiment'>} state @returns {Driver}
+ * @param {Pick<State, 'driver' | 'handGains' | 'exercise' | 'maker' | 'history' | 'experiment'>} state @returns {Driver}
  */
 export function rivalOf(state) {
-  const { driver, handGains, generation, experiment } = state;
+  const { driver, handGains, history, experiment } = state;
   if (driver === 'hand' || driver === 'paper-arbitrary')
-    return generation === 0 && isLikePapers(experiment) && !hidesPaper(state) ? 'paper-ep' : 'evolved';
+    return history.length < 2 && isLikePapers(experiment) && !hidesPaper(state) ? 'paper-ep' : 'evolved';
   if (!hidesPaper(state)) return 'paper-arbitrary';
   return handGains ? 'hand' : 'evolved';
 }

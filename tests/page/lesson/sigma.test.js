@@ -96,7 +96,7 @@ test('the step sizes rise at first, fall, and collapse; with seed 1 that of ky f
   const { meanSigmas } = evolved(tryOf('sigma', 'stuck')).evolution.statistics();
   assert.ok(meanSigmas[1] > meanSigmas[2]);
   assert.equal(usual.evolution.seed, 1);
-  assert.match(words.notice[1], /^With seed 1 the step of \{ky\} collapses first/);
+  assert.match(words.notice[1], /^With seed 1 the step of \{ky\} shrinks first/);
   assert.match(korean.notice[1], /^시드 1에서는 \{ky\}의 변이 폭이 가장 먼저/);
 });
 

@@ -156,7 +156,8 @@ pageTest('once evolution has gone beyond a slider that goes as far, and a hand p
   await page.until('the address has it', (text) => location.hash.includes(text), link);
   await page.open(`#park&v=1&${link}`);
   assert.equal(await counted(page), 32, 'its link opens');
-  assert.deepEqual(await ends(), ['12', String(ky), '12']);
+  await slide(page, 'ky', 20);
+  assert.deepEqual(await ends(), ['12', String(ky), '12'], 'no slider shrinks under the hand');
 });
 
 /** Where a place of the plane is on the picture, in pixels. @param {Page} page @param {{ x: number, y: number }} place */

@@ -10,7 +10,7 @@ test('a hand is compared with evolution, and before it has begun with what it fo
   const state = { handGains: null, exercise: noExercise, maker: firstMaker, experiment: usual };
   const unlimited = { ...usual, limits: { ...usual.limits, turnRate: null } };
   const paperless = { ...state, exercise: { ...noExercise, hidden: /** @type {['paper']} */ (['paper']) } };
-  for (const [driver, generation, rival, rivalWithoutPaper] of /** @type {const} */ ([
+  for (const [driver, generations, rival, rivalWithoutPaper] of /** @type {const} */ ([
     ['hand', 0, 'paper-ep', 'evolved'],
     ['hand', 1, 'evolved', 'evolved'],
     ['paper-arbitrary', 0, 'paper-ep', 'evolved'],
@@ -18,9 +18,10 @@ test('a hand is compared with evolution, and before it has begun with what it fo
     ['paper-ep', 0, 'paper-arbitrary', 'evolved'],
     ['evolved', 7, 'paper-arbitrary', 'evolved'],
   ])) {
-    assert.equal(rivalOf({ ...state, driver, generation }), rival);
+    const history = new Array(1 + generations).fill(null);
+    assert.equal(rivalOf({ ...state, driver, history }), rival);
     for (const other of [unlimited, { ...usual, law: /** @type {const} */ ('kanayama') }])
-      assert.notEqual(rivalOf({ ...state, driver, generation, experiment: other }), 'paper-ep');
-    assert.equal(rivalOf({ ...paperless, driver, generation }), rivalWithoutPaper);
+      assert.notEqual(rivalOf({ ...state, driver, history, experiment: other }), 'paper-ep');
+    assert.equal(rivalOf({ ...paperless, driver, history }), rivalWithoutPaper);
   }
 });

@@ -226,8 +226,11 @@ function createRounds({ store, engine, actions }) {
     try {
       const round = await roundOf(engine, duel, nextSeed(duel));
       if (progressSlice.of(store.get()).duel === duel)
-        // Whoever has predicted wants to see it.
-        update(store, { duel: { ...duel, rounds: [...duel.rounds, round] }, sees: 'evolution' });
+        update(store, {
+          duel: { ...duel, rounds: [...duel.rounds, round] },
+          // Whoever has predicted wants to see it, but for who drives on.
+          ...(store.get().dragging ? {} : { sees: 'evolution' }),
+        });
     } catch (error) {
       hasFailed = true;
       actions.say(messageOf(error));

@@ -9,7 +9,7 @@ import { remember } from '../../kit/memo.js';
 import { hidesPaper } from '../../run/exercise.js';
 import { createBreeding, isDone } from './breeding.js';
 import { filmOf, isOver, later } from './film.js';
-import { parkSlice } from './state.js';
+import { parkSlice, reaching } from './state.js';
 import { anyGains, firstGains, parkedOf } from './task.js';
 
 /** @param {Engine} engine @param {Store} store @param {PaperResult[]} paper @param {ReturnType<typeof import('./task.js').createTask>} task */
@@ -37,6 +37,13 @@ export function createPlay(engine, store, paper, task) {
     show(filmOf(drives, others, length));
   }
 
+  /** A hand may go from now on as far as evolution has gone. */
+  function stop() {
+    const { ends, bred } = slice();
+    const found = bred.at(-1);
+    update({ evolving: false, endsBefore: ends, ends: found ? reaching(ends, found.gains) : ends });
+  }
+
   /** What the sliders' gains come to counts, also if it has not been seen to its end. */
   const tried = () => (isOf(gainsNow()) ? bestWith(slice(), parkedOf(film().drives)) : {});
 
@@ -45,7 +52,7 @@ export function createPlay(engine, store, paper, task) {
     const { evolving, bred } = slice();
     if (!evolving) return update(tried());
     if (!isDone(bred, task.starts.length)) return breed();
-    update({ evolving: false });
+    stop();
     show(filmOf(film().drives, [], 'hand'));
   }
 
@@ -87,7 +94,7 @@ export function createPlay(engine, store, paper, task) {
           update({ evolving: false, message: messageOf(error) });
         }
       },
-      stop: () => update({ evolving: false }),
+      stop,
     },
   };
 }

@@ -5,7 +5,6 @@ import { html, nothing } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { styled, unless, valueIn } from '../../kit/templates.js';
 import { lab } from '../../words/index.js';
-import { reachOf } from './state.js';
 import words from './words/index.js';
 
 /** What there is once something has been tried, when it is there. @typedef {import('./after/page.js').After | null} After */
@@ -50,12 +49,11 @@ export function sight(model, on, after) {
 
 /** @param {typeof lab.gains[number]} gain @param {number} index @param {Model} model @param {Events} on @param {After} after */
 function rowOf({ id, name, letter, index: sub }, index, model, on, after) {
-  const { gains, driven, bred, isOwn, evolving } = model;
-  const value = gains[index];
-  const most = reachOf(model, index);
+  const { gains, driven, bred, isOwn, evolving, ends } = model;
+  const [value, most] = [gains[index], ends[index]];
   return html`<div class="gain ${id}">
     <label for="park-${id}">${letter}<sub>${sub}</sub> <span class="park-what">${words.whatFor[index]}</span></label>
-    <input id="park-${id}" type="range" step="0.1" aria-label=${name} min="0" max=${most}
+    <input id="park-${id}" type="range" step="0.1" aria-label=${`${name}, ${words.whatFor[index]}`} min="0" max=${most}
       .value=${live(String(value))} .disabled=${evolving} ${styled('--from', '0%')} ${styled('--to', `${(100 * value) / most}%`)}
       @input=${(/** @type {Event} */ event) => on.slide(index, Number(valueIn(event)))}>
     <span class="park-gain">${words.gain(value)}</span>

@@ -13,41 +13,31 @@ import { createSlice } from '../../run/store.js';
  * @property {{ share: number, gains: Triple } | null} between The gains that drive, and how far from the best by hand they are on the way to evolution's; null: others drive.
  * @property {number | null} looked The robot that is looked at, by its start.
  * @property {number} seed
+ * @property {Triple} ends Where the sliders end, which begin at 0. At first no hand parks all with them; they grow to where evolution has gone, and do not shrink.
+ * @property {Triple} endsBefore Where they ended before evolution came to its end.
  * @property {string} message
  */
 
-/** Where the sliders end at first, which begin at 0: no hand parks all with them. */
-const mostAtFirst = 12;
 /** Where no slider of a link goes beyond. */
 export const mostGain = 1000;
 
-/**
- * Where the slider of a gain ends: further than at first where evolution, once it has ended, or a link has gone further.
- * @param {Pick<ParkState, 'gains' | 'bred' | 'evolving'>} state @param {number} index
- */
-export function reachOf({ gains, bred, evolving }, index) {
-  const found = evolving ? undefined : bred.at(-1);
-  const largest = Math.max(gains?.[index] ?? 0, found?.gains[index] ?? 0);
-  return largest > mostAtFirst ? 10 * Math.ceil(largest / 10) : mostAtFirst;
+/** Sliders that go as far as these gains, and no less far than they did. @param {Triple} ends @param {Triple} gains @returns {Triple} */
+export function reaching(ends, gains) {
+  const [kx, ky, ktheta] = ends.map((end, i) => (gains[i] > end ? 10 * Math.ceil(gains[i] / 10) : end));
+  return [kx, ky, ktheta];
 }
 
-/** Whether they are on no slider of the beginning. @param {Triple} gains */
-export const areFurther = (gains) => gains.some((gain) => gain > mostAtFirst);
-
-/** How far evolution has found a gain beyond the slider, and to where that goes on now; null: it has not. @param {readonly Bred[]} bred @param {number} index */
-export function beyondOf(bred, index) {
-  const gain = bred.at(-1)?.gains[index] ?? 0;
-  return gain > 1.5 * mostAtFirst ? { most: mostAtFirst, gain } : null;
-}
+/** Whether some gain is on no slider that ends there. @param {Triple} gains @param {Triple} ends */
+export const areBeyond = (gains, ends) => gains.some((gain, i) => gain > ends[i]);
 
 const slice = createSlice(
   'park',
   /** @type {ParkState} */ ({
     ...{ gains: null, best: null, bred: [], evolving: false, seed: 1, message: '' },
-    ...{ between: null, looked: null },
+    ...{ between: null, looked: null, ends: [12, 12, 12], endsBefore: [12, 12, 12] },
   }),
   [],
-  ['gains', 'best', 'bred', 'evolving', 'seed'],
+  ['gains', 'best', 'bred', 'evolving', 'seed', 'ends', 'endsBefore'],
 );
 
 /** A link with other numbers begins with them afresh: what was found before is not of them. @type {typeof slice} */
@@ -56,6 +46,8 @@ export const parkSlice = {
   opened(state, patch) {
     const { gains } = /** @type {Partial<ParkState>} */ (patch ?? {});
     const isOther = gains && String(gains) !== String(slice.of(state).gains);
-    return isOther ? { ...slice.first, ...patch } : slice.opened(state, patch);
+    if (!isOther) return slice.opened(state, patch);
+    const ends = reaching(slice.first.ends, gains);
+    return { ...slice.first, ...patch, ends, endsBefore: ends };
   },
 };

@@ -133,7 +133,7 @@ export const outcomeText = (run) =>
   })[run.outcome];
 
 /** @param {string} name @param {number} cost */
-export const costNote = (name, cost) => `${name}: J\u00a0${costText(cost)}`;
+export const costNote = (name, cost) => `${name} here: J\u00a0${costText(cost)}`;
 
 /** @param {number} starts @param {number} cost */
 export const meanNote = (starts, cost) => `mean over all ${starts} starts:\u00a0${costText(cost)}`;

@@ -28,8 +28,8 @@ export const sigma = {
     rates: `{N} is one draw for all three: all steps of an offspring grow or shrink together. {N2x}, {N2y} and {N2t} change each by itself; they are new draws, not those that moved the gains. {tau2} = {=common} and {tau} = {=own} are the paper’s, and so is {s} = 1 at the start. In 70 % of all births a new {s} lies between half and twice the old one.
 
 Nobody judges {s} itself. Steps of a good length make good offspring, and these inherit it. The picture shows how the best robot came by its own: the bells of its family, from the first ancestor down; each is where the gain of the next offspring was likely to land. The curves show the mean {s} of all robots, on an axis on which equal distances are equal factors: after {=generation} generations {=sx} for {kx}, {=sy} for {ky}, {=st} for {kt}.`,
-    collapse: `In the long run {s} falls. A short step cannot spoil much, so offspring made with short steps survive more often and hand them on. Nothing stops this: *the step sizes collapse*. With seed 1 they are below a millionth [after 300 generations](lab&generation=300&curve=sigmas), and evolution stands still, whether it has found the best place or not. How soon is chance: [with seed 13](lab&seed=13&generation=300&curve=sigmas) some steps are still large by then. The usual remedy is a floor that {s} may not fall below. The paper states none, so here is none; [step 11](lesson&step=contest) lets you try one.`,
-    next: `A method with a weakness, then. In the task so far that does little harm: the best gains are not far from the first robots. And where they are far? Try it yourself first.`,
+    collapse: `In the long run {s} falls. A short step cannot spoil much, so offspring made with short steps survive more often and hand them on. Nothing stops this: *the step sizes collapse*. With seed 1 they are below a millionth [after 300 generations](lab&generation=300&curve=sigmas), and evolution stands still, whether it has found the best place or not. How soon is chance: [with seed 13](lab&seed=13&generation=300&curve=sigmas) some steps are still large by then. The usual remedy is a floor that {s} may not fall below. The paper states none, so here is none; [step 11](lesson&step=contest) lets you try one. A method with a weakness, then.`,
+    next: `So far the task is kind to short steps: the best gains are not far from the first robots. And where they are far? Try it yourself first.`,
   },
   quizzes: {
     small: {
@@ -54,13 +54,13 @@ Nobody judges {s} itself. Steps of a good length make good offspring, and these 
     },
   },
   tries: {
-    stuck: 'Seed 7: {s} has collapsed at a J that other seeds get below',
+    stuck: 'Seed 7 after 300 generations: how large is {s}? Other seeds get to a lower J',
     none: 'No steps at all: {s} = 0. Only the tournament is left',
     large: 'Far too large: {s} = 100',
     late: 'Generation 300, a mutation: can you see the gains change?',
   },
   notice: [
     'At the beginning the curves rise, though {s} is halved as often as doubled: doubling adds more to a mean than halving takes away.',
-    'With seed 1 the step of {ky} collapses first. Step 10 shows why this one.',
+    'With seed 1 the step of {ky} shrinks first. Step 10 shows why this one.',
   ],
 };

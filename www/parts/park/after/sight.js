@@ -8,16 +8,17 @@ import { live } from 'lit-html/directives/live.js';
 import { styled, valueIn } from '../../../kit/templates.js';
 import { lab } from '../../../words/index.js';
 import { isDone } from '../breeding.js';
-import { areFurther, beyondOf, reachOf } from '../state.js';
+import { areBeyond } from '../state.js';
 import { mineOf } from './walk.js';
 import park from '../words/index.js';
 import words from './words/index.js';
 
 /** @param {Model} model @param {Bred} found */
 export function ending(model, found) {
-  const { best, bred, count } = model;
-  const isFar = beyondOf(bred, 1);
-  return html`${words.ending(model, found, isDone(bred, count), best !== null && areFurther(best.gains))}${isFar && found.parked > (best?.parked ?? 0) ? html`<span class="park-beyond"> ${words.beyond(isFar, reachOf(model, 1))}</span>` : nothing}`;
+  const { best, bred, count, ends, endsBefore, isFree } = model;
+  const [, ky] = found.gains;
+  const isFar = isFree && ky > endsBefore[1] && found.parked > (best?.parked ?? 0);
+  return html`${words.ending(model, found, isDone(bred, count), best !== null && areBeyond(best.gains, endsBefore))}${isFar ? html`<span class="park-beyond"> ${words.beyond(endsBefore[1], ky, ends[1])}</span>` : nothing}`;
 }
 
 /** @param {number} share */

@@ -17,9 +17,9 @@ export function ending({ best, count }, { parked, generation }, isDone, isFurthe
     : `${after} evolution parks ${parked} of ${count}.`;
 }
 
-/** Where evolution has gone beyond the slider, and where that ends now. @param {{ most: number, gain: number }} far @param {number} now */
-export const beyond = ({ most, gain }, now) =>
-  `Your slider for ky ended at ${most}, evolution went to ${fixed(gain, 0)}. Now yours goes to ${now}: try.`;
+/** Where evolution has gone beyond the slider, and where that ends now. @param {number} before @param {number} ky @param {number} now */
+export const beyond = (before, ky, now) =>
+  `Your slider for ky ended at ${before}, evolution went to ${fixed(ky, 0)}. Now yours goes to ${now}: try.`;
 
 /** @param {Bred} newest */
 export const climb = ({ generation, parked, drives }) =>

@@ -17,9 +17,9 @@ export function ending({ best, count }, { parked, generation }, isDone, isFurthe
     : `${generation}세대 뒤에 진화는 로봇 ${count}대 가운데 ${parked}대를 주차시킵니다.`;
 }
 
-/** Where evolution has gone beyond the slider, and where that ends now. @param {{ most: number, gain: number }} far @param {number} now */
-export const beyond = ({ most, gain }, now) =>
-  `ky 슬라이더는 ${most}에서 끝났고 진화는 ${fixed(gain, 0)}까지 갔습니다. 이제 ${now}까지 움직일 수 있으니 직접 해 보십시오.`;
+/** Where evolution has gone beyond the slider, and where that ends now. @param {number} before @param {number} ky @param {number} now */
+export const beyond = (before, ky, now) =>
+  `ky 슬라이더는 ${before}에서 끝났고 진화는 ${fixed(ky, 0)}까지 갔습니다. 이제 ${now}까지 움직일 수 있으니 직접 해 보십시오.`;
 
 /** @param {Bred} newest */
 export const climb = ({ generation, parked, drives }) =>
