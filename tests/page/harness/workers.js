@@ -16,6 +16,23 @@ export const holdWorkers = (page, most = 0) =>
     addEventListener('workers-hear', () => Object.assign(prototype, { postMessage }), { once: true });
   }, most);
 
+/** From now on what workers are asked waits until they hear again. @param {Page} page */
+export const delayWorkers = (page) =>
+  page.evaluate(() => {
+    const { prototype } = Worker;
+    const { postMessage } = prototype;
+    /** @type {(() => void)[]} */
+    const waiting = [];
+    prototype.postMessage = function (/** @type {any[]} */ ...asked) {
+      waiting.push(() => Reflect.apply(postMessage, this, asked));
+    };
+    const hear = () => {
+      Object.assign(prototype, { postMessage });
+      for (const ask of waiting) ask();
+    };
+    addEventListener('workers-hear', hear, { once: true });
+  });
+
 /** From now on they hear again what is asked then. @param {Page} page */
 export const releaseWorkers = (page) => page.evaluate(() => dispatchEvent(new Event('workers-hear')));
 

@@ -37,8 +37,8 @@ const { texts } = words;
 export function createSight(element, store) {
   const changed = watch();
   const tell = createTeller('robustness');
-  /** Until there is a new survey, the old number stands with its own name. */
-  let ofSurvey = { share: '', summary: '', sides: '' };
+  /** Until there is a new survey, the old number stands with its own name. @type {Pick<Texts, 'share' | 'summary' | 'sides'> | null} */
+  let ofSurvey = null;
   const { now, update } = robustnessSlice.at(store);
   const on = {
     update,
@@ -70,11 +70,15 @@ export function createSight(element, store) {
     else if (survey?.spec === spec)
       ofSurvey = {
         share: words.percent(survey.tally.share),
-        summary: words.summary(nameOf(state.driver)),
+        summary: words.summary(nameOf(driver)),
         sides: words.sides(sharesBySide(survey.grid, spec.experiment.goal, survey.tally.count)),
       };
+    // Before the first one its line stands where it will, but where none can come.
+    const before = own.message
+      ? { share: '', summary: '', sides: '' }
+      : { share: words.waits, summary: words.summary(nameOf(driver)), sides: '' };
     const shown = {
-      ...ofSurvey,
+      ...(ofSurvey ?? before),
       note: noteText(own, spec),
       rival: follows || isOver ? '' : words.rivalText(nameOf(comparisonDriver), compared),
       readout: readoutText(state, scene),

@@ -12,6 +12,7 @@ import { createWatchedLayer } from '../drawing.js';
 import { fixed } from '../../words/numbers.js';
 import words from './words/index.js';
 import { startOf } from './grid.js';
+import { fine } from './request.js';
 
 /**
  * @typedef {object} MapModel
@@ -35,7 +36,7 @@ const marginIn = ({ width, height }) =>
     ? { left: 34, right: 8, top: 8, bottom: 26, isNamed: false }
     : { left: 52, right: 8, top: 8, bottom: 44, isNamed: true };
 
-/** Metres in pixels, the same on both axes; the middles of the outer cells are half a cell inside. @param {Pick<MapModel, 'grid' | 'size'>} model */
+/** Metres in pixels, the same on both axes and of every survey, also before there is one: the middles of the outer cells of the finest are half a cell inside. @param {Pick<MapModel, 'grid' | 'size'>} model */
 export function axesOf({ grid, size }) {
   const margin = marginIn(size);
   const side = Math.max(
@@ -43,7 +44,8 @@ export function axesOf({ grid, size }) {
     Math.min(size.width - margin.left - margin.right, size.height - margin.top - margin.bottom),
   );
   const frame = { left: margin.left, right: margin.left + side, top: margin.top, bottom: margin.top + side };
-  const half = (grid.x.to - grid.x.from) / (grid.x.count - 1) / 2;
+  const whole = grid.x.to - grid.x.from;
+  const half = whole / (fine - 1) / 2;
   /** @param {import('./grid.js').Grid['x']} range @param {[number, number]} pixels */
   const axis = ({ from, to }, pixels) =>
     scaleLinear()
@@ -54,11 +56,14 @@ export function axesOf({ grid, size }) {
     frame,
     side,
     isNamed: margin.isNamed,
-    cell: side / grid.x.count,
+    cell: (side * stepOf(grid)) / (whole + 2 * half),
     x: axis(grid.x, [frame.left, frame.right]),
     y: axis(grid.y, [frame.bottom, frame.top]),
   };
 }
+
+/** From cell to cell, in metres. @param {Grid} grid */
+const stepOf = ({ x: { from, to, count } }) => (to - from) / (count - 1);
 
 /** @typedef {ReturnType<typeof axesOf>} Axes */
 
@@ -72,7 +77,7 @@ export function createMap(root) {
       if (size.width === 0) return;
       const axes = axesOf(model);
       under(size, [grid, shading, theme], (context) => {
-        if (shading) drawCells(context, shading, axes);
+        if (shading) drawCells(context, grid, shading, axes);
         drawAxes(context, axes);
       });
       over(size, [grid, goal, starts, watched, run, cell, drives, lit, heading, theme], (context) =>
@@ -106,17 +111,20 @@ export function hatch(context) {
   return pattern;
 }
 
-/** @param {CanvasRenderingContext2D} context @param {Shading} shading @param {Axes} axes */
-function drawCells(context, { values, part }, { frame, side }) {
+/** @param {CanvasRenderingContext2D} context @param {Grid} grid @param {Shading} shading @param {Axes} axes */
+function drawCells(context, grid, { values, part }, { frame, side, x, y }) {
   context.fillStyle = hatch(context);
   context.fillRect(frame.left, frame.top, side, side);
+  const half = stepOf(grid) / 2;
+  const edges = {
+    left: x(grid.x.from - half),
+    right: x(grid.x.to + half),
+    top: y(grid.y.to + half),
+    bottom: y(grid.y.from - half),
+  };
+  const shades = values.map((value) => (Number.isNaN(value) ? value : part(value)));
   // Each cell is one place that was tried: between them nothing is known.
-  drawShades(
-    context,
-    values.map((value) => (Number.isNaN(value) ? value : part(value))),
-    frame,
-    false,
-  );
+  within(context, frame, () => drawShades(context, shades, edges, false));
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes */

@@ -6,6 +6,8 @@ import { fixed } from '../../../words/numbers.js';
 /** @typedef {{ heading: number, outcome: string, cost: number }} Drive */
 
 export const none = '–';
+/** In the place of a number that is not there yet. */
+export const waits = '…';
 
 /** In percent. All is more than nearly all, and none less than a few. @param {number} share */
 export const shareText = (share) =>
