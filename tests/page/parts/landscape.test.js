@@ -102,6 +102,36 @@ engineTest('the landscape has the colours of the costs that the core computes', 
   assert.deepEqual(await page.obstacles(), []);
 });
 
+/** Where the map stands, and its edges without the numbers beside it. @param {Page} page */
+const roomOf = (page) =>
+  page.evaluate(() => {
+    const [map, plane] = ['landscape-map', 'plane'].map((id) =>
+      /** @type {HTMLElement} */ (document.getElementById(id)).getBoundingClientRect(),
+    );
+    return { map: [map.left, map.top, map.width, map.height], planeWidth: plane.width };
+  });
+
+pageTest('beside the plane the map has the most room, about a square, whoever drives', async (page) => {
+  await page.open('#landscape&v=1&drives=evolved');
+  for (const [width, height, least] of /** @type {const} */ ([
+    [1024, 768, 340],
+    [1280, 720, 440],
+    [1366, 768, 480],
+    [1440, 900, 540],
+    [1920, 1080, 760],
+  ])) {
+    await page.resize(width, height);
+    await page.click('#drives-evolved');
+    const { map, planeWidth } = await roomOf(page);
+    const [wide, high] = [map[2] - margin.left - margin.right, map[3] - margin.top - margin.bottom];
+    const said = `${wide} × ${high} at ${width} × ${height}, the plane ${planeWidth}`;
+    assert.ok(Math.min(wide, high) >= least && map[2] > planeWidth, said);
+    assert.ok(high / wide > 0.7 && high / wide < 1.3, said);
+    await page.click('#drives-hand');
+    assert.deepEqual((await roomOf(page)).map, map, 'by hand');
+  }
+});
+
 pageTest('landscape and map of starts name the generation that is shown', async (page) => {
   for (const [part, id] of [
     ['landscape', 'landscape-readout'],

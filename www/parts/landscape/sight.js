@@ -95,15 +95,17 @@ function sight(landscape, { spec, isTyping, evolving, readout, lowest, legend },
       <label>↑ ${axisChoice('y', landscape, texts.landscapeUp, on)}</label>
       ${thirdGain(landscape, spec.third, isTyping, on)}
     </div>
-    ${legend ? html`<p id="landscape-method" class="muted">${withSymbols(legend)}</p>` : nothing}
-    <div id="landscape-map" class="map picture layers" data-picture="landscape" data-name=${words.texts.landscapePicture} tabindex="0" role="application"
-      aria-label=${words.mapLabel} aria-describedby="landscape-readout">
-      <canvas id="landscape-picture" aria-hidden="true"></canvas>
-      <canvas id="landscape-marks" aria-hidden="true"></canvas>
-    </div>
-    <canvas id="landscape-legend" class="map-legend" data-picture="landscape" aria-hidden="true"></canvas>
-    <p id="landscape-lowest" class="muted">${lowest ? html`${signOf()} ${withSymbols(lowestText(lowest))}` : nothing}</p>
-    <p id="landscape-readout" class="readout" aria-live=${landscape.cursor && !evolving ? 'polite' : 'off'} aria-atomic="true">${withSymbols(readout)}</p>`;
+    <div class="landscape-sight">
+      ${legend ? html`<p id="landscape-method" class="muted">${withSymbols(legend)}</p>` : nothing}
+      <div id="landscape-map" class="map picture layers" data-picture="landscape" data-name=${words.texts.landscapePicture} tabindex="0" role="application"
+        aria-label=${words.mapLabel} aria-describedby="landscape-readout">
+        <canvas id="landscape-picture" aria-hidden="true"></canvas>
+        <canvas id="landscape-marks" aria-hidden="true"></canvas>
+      </div>
+      <canvas id="landscape-legend" class="map-legend" data-picture="landscape" aria-hidden="true"></canvas>
+      <p id="landscape-lowest" class="muted">${lowest ? html`${signOf()} ${withSymbols(lowestText(lowest))}` : nothing}</p>
+      <p id="landscape-readout" class="readout" aria-live=${landscape.cursor && !evolving ? 'polite' : 'off'} aria-atomic="true">${withSymbols(readout)}</p>
+    </div>`;
 }
 
 /** The gain's letter in its colour, as in formulas. @param {typeof lab.gains[number]} gain */
