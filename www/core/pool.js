@@ -12,6 +12,7 @@ import { createHands } from './hands.js';
 /**
  * @typedef {object} RunOptions
  * @property {(done: number) => void} [onProgress] Gets the part that is done, from 0 to 1, which never falls.
+ * @property {(result: any, index: number) => void} [onPart] Gets the result of each part as it comes, in whatever order.
  * @property {AbortSignal} [signal]
  */
 
@@ -37,7 +38,8 @@ import { createHands } from './hands.js';
  * @property {boolean} ended Before its time.
  * @property {number} done As it was told last, from 0 to 1.
  * @property {unknown[]} results
- * @property {((done: number) => void) | undefined} onProgress
+ * @property {RunOptions['onProgress']} onProgress
+ * @property {RunOptions['onPart']} onPart
  * @property {(results: any[]) => void} resolve
  * @property {(error: unknown) => void} reject
  * @property {() => void} forget Stops to listen for an abort.
@@ -54,7 +56,7 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
   const { add, fail } = createQueue(spawn, size);
 
   /** @template {keyof Jobs} K @param {Job<K>} job @param {RunOptions} options @param {boolean} urgent */
-  function begin({ call, parts }, { onProgress, signal }, urgent) {
+  function begin({ call, parts }, { onProgress, onPart, signal }, urgent) {
     const abort = () => fail(task, abortError('The job was aborted'));
     /** @type {Task} */
     const task = {
@@ -69,6 +71,7 @@ export function createPool({ spawn, size = Math.min(navigator.hardwareConcurrenc
       done: 0,
       results: [],
       onProgress,
+      onPart,
       resolve() {},
       reject() {},
       forget: () => signal?.removeEventListener('abort', abort),
@@ -154,6 +157,7 @@ function createQueue(spawn, size) {
     task.ended = true;
     task.forget();
     task.onProgress = undefined;
+    task.onPart = undefined;
     task.reject(error);
     const busy = hands.busyWith(task);
     if (task.urgent || busy.length === 0) return;
@@ -202,6 +206,7 @@ function give(hand, task) {
 function keep(task, index, result) {
   task.results[index] = result;
   task.finished += 1;
+  task.onPart?.(result, index);
   if (task.finished < task.parts.length) return;
   task.forget();
   task.resolve(task.results);

@@ -1,5 +1,5 @@
 // The long jobs: what can be shared is split by index into parts for the pool, and the parts' results are joined in order.
-/** @import { Gains, Landscape, Robustness, StartGrid } from '../../pkg/ep_locomotion.js' */
+/** @import { Gains, Landscape, Robustness, SeedRun, StartGrid } from '../../pkg/ep_locomotion.js' */
 /** @import { Golden } from './checks/check.js' */
 /** @import { Jobs } from './jobs.js' */
 /** @import { Channel, Pool, Run, RunOptions } from './pool.js' */
@@ -53,15 +53,16 @@ function createShared(run, workers) {
       };
     },
 
-    /** Evolution with each seed, beside random search. @param {Experiment} experiment @param {Seeds} seeds @param {SurveyOptions} [options] */
-    async seedRuns(experiment, { first, count, generations }, options) {
+    /** Evolution with each seed, beside random search; `onRuns` gets those of the first seeds as far as they are. @param {Experiment} experiment @param {Seeds} seeds @param {SurveyOptions & { onRuns?: (runs: SeedRun[]) => void }} [options] */
+    async seedRuns(experiment, { first, count, generations }, { onRuns, ...options } = {}) {
       const robots = 2 * experiment.evolution.population * (generations + 1);
       /** @type {[Experiment, import('../../pkg/ep_locomotion.js').SeedRuns][]} */
       const parts = split(count, robots * samplesOfRobot(experiment), workers).map(([from, to]) => [
         experiment,
         { seeds: [first + from, first + to], generations },
       ]);
-      return (await run({ call: 'seedRuns', parts }, options)).flat();
+      const onPart = onRuns && inOrder((/** @type {SeedRun[][]} */ runs) => onRuns(runs.flat()));
+      return (await run({ call: 'seedRuns', parts }, { ...options, onPart })).flat();
     },
   };
 }
@@ -136,6 +137,19 @@ function split(count, samples, workers) {
     first += each;
   } while (first < count);
   return parts;
+}
+
+/** Tells of the results up to the first that is not there yet, whenever there are more of them. @template R @param {(results: R[]) => void} tell */
+function inOrder(tell) {
+  /** @type {R[]} */
+  const results = [];
+  let whole = 0;
+  return (/** @type {R} */ result, /** @type {number} */ index) => {
+    results[index] = result;
+    if (index !== whole) return;
+    while (whole in results) whole += 1;
+    tell(results.slice(0, whole));
+  };
 }
 
 /**

@@ -83,6 +83,23 @@ test('results stand in the order of the parts, whoever is first', async () => {
   assert.deepEqual(await pool.run(job()), []);
 });
 
+test('each result is told as it comes, until the job is aborted', async () => {
+  const { workers, pool } = puppets(2);
+  /** @type {[number, number][]} */
+  const told = [];
+  const control = new AbortController();
+  const onPart = (/** @type {number} */ result, /** @type {number} */ index) => told.push([index, result]);
+  const run = pool.run(job(5, 6, 7, 8), { onPart, signal: control.signal });
+  for (const i of [1, 0]) workers[i].finish();
+  control.abort();
+  await assert.rejects(run, aborted);
+  workers[0].finish();
+  assert.deepEqual(told, [
+    [1, 6],
+    [0, 5],
+  ]);
+});
+
 test('progress counts what a worker has done of its part, never falls and ends at 1', async () => {
   const { workers, pool } = puppets(2);
   /** @type {number[]} */

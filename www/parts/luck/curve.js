@@ -54,7 +54,7 @@ export function createSeedCurve(root, { onPoint, onChoose }) {
     drawSurvey(context, axes, model);
     drawLineNames(context, axes, model, placeOf(axes, model));
     columns = model.survey ? columnsOf(size, axes, model.survey, model) : [];
-    drawColumns(context, columns, model.index);
+    drawColumns(context, columns, model);
   });
   const { canvas } = chart;
 
@@ -170,15 +170,15 @@ function columnsOf(size, axes, survey, model) {
   const { costs: own, randomCosts } = survey.summary;
   return [own, randomCosts].slice(0, columnsIn(survey)).map((costs, i) => ({
     left: axes.frame.right + gap + i * (column + gap),
-    dots: stackDots(costs.map(y), diameterOf(costs.length), column),
+    dots: stackDots(costs.map(y), diameterOf(survey.count), column),
   }));
 }
 
-/** @param {CanvasRenderingContext2D} context @param {readonly Column[]} columns @param {number} index */
-function drawColumns(context, columns, index) {
+/** @param {CanvasRenderingContext2D} context @param {readonly Column[]} columns @param {SeedCurveModel} model */
+function drawColumns(context, columns, { survey, index }) {
   for (const [i, { left, dots }] of columns.entries()) {
     const isOwn = i === 0;
-    drawDots(context, dots, diameterOf(dots.along.length), isOwn ? '--ink' : '--muted', (along, away) => [
+    drawDots(context, dots, diameterOf(survey?.count ?? 1), isOwn ? '--ink' : '--muted', (along, away) => [
       left + away,
       along,
     ]);

@@ -28,15 +28,16 @@ export function createSeeds(element, { engine, store, actions, paper }) {
 
   /** Drives with the gains that a seed ended with. @param {number} index */
   const choose = (index) => {
-    const run = luck().result?.runs[index];
-    if (!run) return;
+    const { soFar, result } = luck();
+    const run = result?.runs[index];
+    if (!run || soFar) return;
     update({ chosen: index });
     actions.driveGains(run.champion.gains, 'luck');
     actions.driveAgain();
   };
   /** @param {number} index */
   const point = (index) => {
-    const pointed = index < 0 ? null : index;
+    const pointed = index < 0 || luck().soFar ? null : index;
     if (pointed !== luck().pointed) update({ pointed });
   };
   const on = createEvents(store, actions, requests, choose);
@@ -69,23 +70,24 @@ export function createSeeds(element, { engine, store, actions, paper }) {
     /** @param {State} state */
     draw(state) {
       requests.follow();
-      const { result, generations, log } = luckSlice.of(state);
-      const fresh = isFresh(state.experiment, result);
+      const { generations, log } = luckSlice.of(state);
+      const survey = surveyOf(state);
+      const fresh = isFresh(state.experiment, survey);
       const index = questionOf(state);
       const labSeed = state.experiment.evolution.seed;
-      const isLab = result && index >= 0 && fresh && result.first + index === labSeed;
+      const isLab = survey && index >= 0 && fresh && survey.first + index === labSeed;
       curve.draw({
-        survey: surveyOf(state),
-        generations: result?.generations ?? generations,
+        survey,
+        generations: survey?.generations ?? generations,
         lab: fresh && !isLab ? labLine(state.history, labSeed) : null,
-        seed: result && index >= 0 ? seedLine(result, index) : null,
+        seed: survey && index >= 0 ? seedLine(survey, index) : null,
         index,
         log,
         theme: state.theme,
       });
       strips.draw({
-        survey: result,
-        paper: hidesPaper(state) ? null : (result?.paper.gains ?? gainsOf(state, 'paper-ep', paper)),
+        survey,
+        paper: hidesPaper(state) ? null : (survey?.paper.gains ?? gainsOf(state, 'paper-ep', paper)),
         range: state.experiment.evolution.initialRange,
         index,
         theme: state.theme,
@@ -95,13 +97,15 @@ export function createSeeds(element, { engine, store, actions, paper }) {
   };
 }
 
-/** The index of the seed in question: under the pointer, else chosen, else the lab's own. @param {State} state */
+/** The index of the seed in question: under the pointer, else chosen, else the lab's own; that alone while seeds run. @param {State} state */
 function questionOf(state) {
-  const { experiment } = state;
-  const { result, pointed, chosen } = luckSlice.of(state);
-  if (!result) return -1;
-  const lab = experiment.evolution.seed - result.first;
-  return pointed ?? chosen ?? (lab >= 0 && lab < result.runs.length ? lab : result.summary.ranking[0]);
+  const { soFar, result, pointed, chosen } = luckSlice.of(state);
+  const survey = soFar ?? result;
+  if (!survey) return -1;
+  const lab = state.experiment.evolution.seed - survey.first;
+  const isRun = lab >= 0 && lab < survey.runs.length;
+  if (soFar) return isRun ? lab : -1;
+  return pointed ?? chosen ?? (isRun ? lab : survey.summary.ranking[0]);
 }
 
 /** @param {Store} store @param {Actions} actions @param {ReturnType<typeof createSeedRequests>} requests @param {(index: number) => void} choose @returns {Events} */

@@ -1,6 +1,5 @@
 // What Luck shows around its pictures: what is run, what was found, and one seed.
 /** @import { State } from '../../run/state.js' */
-/** @import { SeedSurvey } from './request.js' */
 /** @import { LuckState } from './state.js' */
 import { html } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
@@ -30,16 +29,11 @@ const lengthChoices = lengths.map(
 /** @param {State} state @param {number} index @param {boolean} fresh @param {Events} on */
 export function sight(state, index, fresh, on) {
   const luck = luckSlice.of(state);
-  const { log } = luck;
-  const result = surveyOf(state);
-  const finding = result
-    ? words.finding(result)
-    : words.invitation(
-        state.experiment,
-        luck.count,
-        luck.generations,
-        drivesOf(state.experiment, luck.generations),
-      );
+  const { log, soFar } = luck;
+  const survey = surveyOf(state);
+  // What seeds say together is said once all have run.
+  const result = soFar ? null : survey;
+  const finding = result ? words.finding(result) : invitationOf(soFar?.experiment ?? state.experiment, luck);
   return html`
     <div class="heading">
       <h2 id="luck-title">${texts.luckTitle}</h2>
@@ -51,16 +45,20 @@ export function sight(state, index, fresh, on) {
     <p id="luck-finding" class="luck-finding" aria-live=${result || luck.progress !== null ? 'polite' : 'off'}>${finding}</p>
     <div class="heading luck-legend">
       <p class="muted" data-picture="luck-curve" data-name=${texts.luckCurvePicture}>${texts.luckCurve}</p>
-      ${checkOf('luck-log', texts.luckLog, log, (isOn) => on.update({ log: isOn }), { more: 'muted', isDisabled: !result })}
+      ${checkOf('luck-log', texts.luckLog, log, (isOn) => on.update({ log: isOn }), { more: 'muted', isDisabled: !survey })}
     </div>
     <div id="luck-curve" class="luck-curve picture" data-picture="luck-curve" role="img"
-      aria-label=${result ? words.curveLabel(result, finding) : words.emptyCurveLabel}></div>
+      aria-label=${survey ? words.curveLabel(survey, result ? finding : `${words.seedsOf(survey.runs.length, survey.count)}.`) : words.emptyCurveLabel}></div>
     <div class="heading luck-legend muted" data-picture="luck-gains"><p>${texts.luckGainsTitle}${hidesPaper(state) ? '' : words.paperSign}</p>
-      <p id="luck-median" .hidden=${!result}>${texts.luckMedian}</p></div>
+      <p id="luck-median" .hidden=${!survey}>${texts.luckMedian}</p></div>
     <canvas id="luck-gains" class="luck-gains" data-picture="luck-gains" data-name=${texts.luckGainsPicture} role="img"
-      aria-label=${result ? words.gainsLabel(result) : words.emptyGainsLabel}></canvas>
-    ${seedInQuestion(result, index, fresh, on)}`;
+      aria-label=${survey ? words.gainsLabel(survey) : words.emptyGainsLabel}></canvas>
+    ${seedInQuestion(luck, index, fresh, on)}`;
 }
+
+/** What a press will do, or does. @param {State['experiment']} experiment @param {LuckState} luck */
+const invitationOf = (experiment, { count, generations }) =>
+  words.invitation(experiment, count, generations, drivesOf(experiment, generations));
 
 /** @param {LuckState} luck @param {Events} on */
 function bar({ progress, count, generations }, { onRun, update }) {
@@ -75,14 +73,14 @@ function bar({ progress, count, generations }, { onRun, update }) {
     </div>`;
 }
 
-/** @param {SeedSurvey | null} result @param {number} index @param {boolean} fresh @param {Events} on */
-function seedInQuestion(result, index, fresh, { onRank, onOpen }) {
-  const isThere = result !== null && index >= 0;
+/** While others run, the room of what was said of one stays. @param {LuckState} luck @param {number} index @param {boolean} fresh @param {Events} on */
+function seedInQuestion({ soFar, result }, index, fresh, { onRank, onOpen }) {
+  const isThere = result !== null && !soFar && index >= 0;
   const rank = isThere ? result.summary.ranking.indexOf(index) + 1 : 1;
   const readout = isThere ? words.readout(result, index, rank) : '';
   const seed = isThere ? result.first + index : 1;
   return html`
-    <div id="luck-seed" class="luck-seed" .hidden=${!result}>
+    <div id="luck-seed" class=${soFar ? 'luck-seed later' : 'luck-seed'} .hidden=${!result}>
       <label class="bar"><span class="muted">${texts.luckLuckiest}</span>
         <input id="luck-rank" type="range" min="1" step="1" aria-label=${texts.luckRank} aria-valuetext=${readout}
           .max=${String(result?.runs.length ?? 1)} .value=${live(String(rank))}
@@ -97,15 +95,16 @@ function seedInQuestion(result, index, fresh, { onRank, onOpen }) {
 function noteText(state) {
   const { experiment, history } = state;
   const { result, progress, count } = luckSlice.of(state);
-  if (progress !== null) return words.progressText(progress, count);
+  if (progress !== null) return words.seedsOf(Math.floor(progress * count), count);
   return result ? words.surveyNote(result) : words.labNote(experiment.evolution.seed, history.length - 1);
 }
 
 /** @param {State} state @param {boolean} fresh */
 function statusText(state, fresh) {
   const { experiment } = state;
-  const { result, cancelled, message } = luckSlice.of(state);
+  const { soFar, result, cancelled, message } = luckSlice.of(state);
   if (message) return words.failed(message, result !== null);
-  const stale = result && !fresh ? words.outOfDate(changesButSeed(result.experiment, experiment)) : '';
+  const survey = soFar ?? result;
+  const stale = survey && !fresh ? words.outOfDate(changesButSeed(survey.experiment, experiment)) : '';
   return [cancelled ? words.cancelled(result !== null) : '', stale].filter((text) => text !== '').join(' ');
 }

@@ -35,6 +35,7 @@ export const lengths = /** @type {const} */ ([50, 100, 200]);
  * @property {number} generations For how many generations.
  * @property {boolean} log Costs are shown as the logarithm of their distance to the lowest.
  * @property {number | null} progress From 0 to 1 while seeds run.
+ * @property {SeedSurvey | null} soFar While seeds run: those that have run.
  * @property {SeedSurvey | null} result
  * @property {number | null} chosen The index of a run.
  * @property {number | null} pointed The run under the pointer.
@@ -64,6 +65,7 @@ export const luckSlice = createSlice(
     generations: 200,
     log: false,
     progress: null,
+    soFar: null,
     result: null,
     chosen: null,
     pointed: null,

@@ -75,7 +75,7 @@ function drawStrips(context, size, { survey, paper, range, index }) {
     .range([margin.left, size.width - margin.right])
     .clamp(true);
   drawAxis(context, scale, size.height);
-  const diameter = diameterOf(survey?.runs.length ?? 1);
+  const diameter = diameterOf(survey?.count ?? 1);
   /** @type {Dots[]} */
   const strips = [];
   for (const [i, name] of colours.entries()) {

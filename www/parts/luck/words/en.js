@@ -44,8 +44,8 @@ export const labNote = (seed, generation) => `the lab: seed ${seed}, generation 
 export const invitation = (experiment, count, generations, drives) =>
   `One run is one throw of the dice. Run ${count} seeds: ${isRandom(experiment) ? `with each, random search draws other robots for ${generations} generations` : `each evolves from other random robots for ${generations} generations, and beside it random search tries as many gains`}${drives === null ? '' : `, ${grouped(drives)} drives each`}.`;
 
-/** @param {number} progress @param {number} count */
-export const progressText = (progress, count) => `${Math.floor(progress * count)} of ${count} seeds`;
+/** How many of them have run. @param {number} done @param {number} count */
+export const seedsOf = (done, count) => `${done} of ${count} seeds`;
 
 /** @param {boolean} hasResult */
 export const cancelled = (hasResult) =>

@@ -45,8 +45,8 @@ export const labNote = (seed, generation) => `실험실: 시드 ${seed}, ${gener
 export const invitation = (experiment, count, generations, drives) =>
   `한 번의 실행은 주사위를 한 번 던진 것과 같습니다. 시드 ${count}개를 실행해 보십시오. ${isRandom(experiment) ? `시드마다 무작위 탐색이 ${generations}세대 동안 다른 로봇을 뽑습니다` : `시드마다 다른 무작위 로봇이 ${generations}세대 동안 진화하고, 무작위 탐색도 같은 수의 이득을 시험합니다`}${drives === null ? '' : `(각각 주행 ${grouped(drives)}회)`}.`;
 
-/** @param {number} progress @param {number} count */
-export const progressText = (progress, count) => `시드 ${count}개 중 ${Math.floor(progress * count)}개`;
+/** @param {number} done @param {number} count */
+export const seedsOf = (done, count) => `시드 ${count}개 중 ${done}개`;
 
 /** @param {boolean} hasResult */
 export const cancelled = (hasResult) =>
