@@ -45,7 +45,7 @@ pageTest(
 );
 
 pageTest(
-  'a thousand starts have room, and those that miss differ by colour from those that arrive',
+  'a thousand starts have room, and those that miss are pale, and red, beside those that arrive',
   async (page) => {
     await openTraining(page);
     for (const [width, height, side] of [
@@ -61,17 +61,21 @@ pageTest(
         const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d')).getImageData(
           ...[0, 0, canvas.width, canvas.height],
         );
-        let [red, grey] = [0, 0];
+        let [red, grey, strongest] = [0, 0, 0];
         for (let i = 0; i < data.length; i += 4)
-          if (data[i + 3] > 120) {
-            if (data[i] > data[i + 1] + 60 && data[i] > data[i + 2] + 60) red += 1;
-            else if (Math.abs(data[i] - data[i + 1]) < 20) grey += 1;
+          if (data[i + 3] > 60) {
+            if (data[i] > data[i + 1] + 60 && data[i] > data[i + 2] + 60) {
+              red += 1;
+              strongest = Math.max(strongest, data[i + 3]);
+            } else if (data[i + 3] > 200 && Math.abs(data[i] - data[i + 1]) < 20) grey += 1;
           }
-        return { side: Math.min(canvas.clientWidth, canvas.clientHeight), red, grey };
+        return { side: Math.min(canvas.clientWidth, canvas.clientHeight), red, grey, strongest };
       });
       assert.ok(seen.side >= side, `${seen.side} px at ${width} × ${height}`);
       // 750 miss, 250 arrive.
       assert.ok(seen.red > 750 && seen.grey > 250, JSON.stringify(seen));
+      // Without colour they differ, too; where two cross they are stronger.
+      assert.ok(seen.strongest < 200, JSON.stringify(seen));
     }
   },
 );

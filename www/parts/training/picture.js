@@ -1,4 +1,4 @@
-// A picture of starts around the goal: filled where the robot arrives, red and without a tail where it does not.
+// A picture of starts around the goal: filled where the robot arrives; small, pale red and without a tail where it does not.
 /** @import { Posture } from '../../core/engine.js' */
 import { circle, strokeTwice } from '../../kit/canvas.js';
 import { followSize } from '../../kit/elements.js';
@@ -21,6 +21,8 @@ import { createWatchedLayer } from '../drawing.js';
 const margin = 0.3;
 /** As near as a press must come to a start, in pixels. */
 const nearest = 18;
+/** So strong, and so large, is what does not arrive, beside what does. */
+const missing = { alpha: 0.4, size: 0.75 };
 
 /** @param {HTMLCanvasElement} canvas `radius`: metres around the goal that are shown. @param {{ radius: number, onTry: (start: Posture) => void, onSize: () => void }} options */
 export function createPicture(canvas, { radius, onTry, onSize }) {
@@ -78,16 +80,19 @@ function drawStarts(context, { starts, arrived, goal, tried }, { scale, screenX,
   // As large as fits, so that one does not hide the next.
   const size = isCrowded ? Math.max(2.6, 0.1 * scale) : Math.max(6, 0.22 * scale);
   context.lineJoin = 'round';
-  for (const [i, start] of starts.entries()) {
-    const [px, py] = [screenX(start.x), screenY(start.y)];
-    if (arrived && !arrived[i]) chevron(context, px, py, start.theta, size);
-    else kite(context, px, py, start.theta, size);
-    context.fillStyle = ink;
-    if (arrived?.[i]) context.fill();
-    else {
-      context.strokeStyle = arrived ? error : muted;
-      context.lineWidth = isCrowded ? Math.max(0.75, size / 4) : 1.5;
+  context.fillStyle = ink;
+  context.strokeStyle = arrived ? error : muted;
+  context.lineWidth = isCrowded ? Math.max(0.75, size / 4) : 1.5;
+  for (const [i, { x, y, theta }] of starts.entries()) {
+    if (arrived && !arrived[i]) {
+      context.globalAlpha = missing.alpha;
+      chevron(context, screenX(x), screenY(y), theta, missing.size * size);
       context.stroke();
+      context.globalAlpha = 1;
+    } else {
+      kite(context, screenX(x), screenY(y), theta, size);
+      if (arrived) context.fill();
+      else context.stroke();
     }
   }
   kite(context, screenX(goal.x), screenY(goal.y), goal.theta, 12);

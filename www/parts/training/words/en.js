@@ -74,7 +74,7 @@ export const pictureLabel = (title) =>
 /** @param {import('../../../core/engine.js').Posture} start @param {string} outcome */
 export const readout = (start, outcome) => `From ${postureText(start)}: the robot ${outcome}.`;
 
-export const signs = { arrives: 'Filled arrives,', misses: 'red and open does not.' };
+export const signs = { arrives: 'Filled arrives,', misses: 'small, pale and open does not.' };
 
 /** What the pictures and the columns mean. @param {number} count @param {number} radius @param {number} horizon */
 export const key = (count, radius, horizon) =>

@@ -68,7 +68,7 @@ export const pictureLabel = (title) =>
 /** @param {import('../../../core/engine.js').Posture} start @param {string} outcome */
 export const readout = (start, outcome) => `${postureText(start)}에서 출발: ${outcome}.`;
 
-export const signs = { arrives: '채운 점은 도착,', misses: '빨간 빈 점은 미도착.' };
+export const signs = { arrives: '채운 점은 도착,', misses: '작고 옅은 빈 점은 미도착.' };
 
 /** What the pictures and the columns mean. @param {number} count @param {number} radius @param {number} horizon */
 export const key = (count, radius, horizon) =>
