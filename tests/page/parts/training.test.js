@@ -231,7 +231,7 @@ pageTest('a row drives its gains, which counts, and a start of its picture is dr
   assert.equal(one.cost, evaluate(velocityLimits, gains)[0].toFixed(3));
   assert.equal(one.driver, 'hand');
   assert.equal(await page.text('#legend .solid'), 'gains from Training');
-  // After those of the circle, which drove when evolution had ended.
+  // After those of the grid, which drove when evolution had ended.
   assert.equal(await page.text('.aim-drives'), '2 of 9 drives');
 
   await page.click('#training-paper-ep .training-cost');

@@ -20,7 +20,7 @@ import { isFree } from '../../run/guard.js';
 import { changesOf } from '../changes.js';
 import { hasMovingReference } from '../../core/reference.js';
 import { createPicture, signs } from './picture.js';
-import { createTraining, evolvedFor, handOf } from './request.js';
+import { createTraining, evolvedFor, furthestOf, handOf } from './request.js';
 import { circleCount, gridCount, isSet, setNames, unseenCount, unseenRadius } from './sets.js';
 import { seedCount } from './spread.js';
 import { tableOf } from './table.js';
@@ -37,13 +37,13 @@ export function createPage({ engine, store, actions, paper }) {
   const { update } = trainingSlice.at(store);
   const rowsOf = createRows();
 
-  const { choose, tryFrom, evolve, workIfWanted } = createEvents({ store, actions }, training, rowsOf);
+  const { pick, tryFrom, evolve, workIfWanted } = createEvents({ store, actions }, training, rowsOf);
   const changed = watch();
   /** @param {State} state @param {readonly Row[]} rows @param {readonly [string, string]} titles @param {string} readout */
   const show = (state, rows, titles, readout) => {
     if (changed(trainingSlice.of(state), state.experiment, rows, ...titles, readout))
       render(
-        sight(state, rows, titles, readout, { choose, evolve, spread: training.spread, update }),
+        sight(state, rows, titles, readout, { choose: pick, evolve, spread: training.spread, update }),
         element,
       );
   };
@@ -118,13 +118,26 @@ function createEvents({ store, actions }, training, rowsOf) {
     actions.tryStart(start);
   };
 
-  const evolve = async () => {
+  /** The row that nobody chose: it is that of what evolved last. @type {RowName | null} */
+  let led = null;
+
+  /** @param {RowName | null} [usual] Which row drives then, if none was chosen; else the one that comes furthest. */
+  const evolve = async (usual) => {
     if (trainingSlice.of(store.get()).progress !== null) return training.cancel();
     if (!(await training.evolve())) return;
     // The newest gains drive, unless those of somebody else were chosen.
-    const { chosen } = trainingSlice.of(store.get());
-    const next = chosen ?? 'circle';
-    if (store.get().page === 'training' && isSet(next)) choose(next);
+    const { chosen, evolved } = trainingSlice.of(store.get());
+    const isFree = chosen === null || chosen === led;
+    const next = isFree ? (usual ?? (evolved && furthestOf(evolved.results))) : chosen;
+    if (store.get().page !== 'training' || !next || !isSet(next)) return;
+    choose(next);
+    if (isFree && !usual) led = next;
+  };
+
+  /** Somebody chooses a row. @param {RowName} name */
+  const pick = (name) => {
+    led = null;
+    choose(name);
   };
 
   /** What was asked for elsewhere, unless it is there, or once what is under way is done. @param {State} state */
@@ -134,10 +147,10 @@ function createEvents({ store, actions }, training, rowsOf) {
     trainingSlice.update(store, { wanted: null });
     if (wanted === 'spread') training.spread();
     else if (evolvedFor(state)) choose('circle');
-    else evolve();
+    else evolve('circle');
   };
 
-  return { choose, tryFrom, evolve, workIfWanted };
+  return { pick, tryFrom, evolve: () => evolve(), workIfWanted };
 }
 
 /** The row that drives, if one does; else the one that was chosen. @param {State} state @returns {RowName} */
@@ -152,7 +165,7 @@ function chosenOf(state) {
       name !== null && isSet(name) && String(evolved?.results[name].gains) === String(handGains);
     return drives(chosen) ? /** @type {RowName} */ (chosen) : (setNames.find(drives) ?? 'hand');
   }
-  return chosen ?? (evolved ? 'circle' : hidesPaper(state) ? 'one' : 'paper-ep');
+  return chosen ?? (evolved ? furthestOf(evolved.results) : hidesPaper(state) ? 'one' : 'paper-ep');
 }
 
 /** Rows of gains that were not evolved here: always the same lists, so that rows are made anew only when others are in sight. */

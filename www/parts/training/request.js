@@ -168,6 +168,13 @@ export function createTraining(engine, store, paper) {
   };
 }
 
+/** The row that arrives from the most unseen starts; of those that arrive from as many, that of the lowest mean J. @param {Evolved['results']} results */
+export const furthestOf = (results) =>
+  setNames.reduce((best, name) => {
+    const [one, other] = [results[best].unseen, results[name].unseen];
+    return other.count > one.count || (other.count === one.count && other.cost < one.cost) ? name : best;
+  });
+
 /** What has been evolved, unless that was for something else. @param {State} state @returns {Evolved | null} */
 export function evolvedFor(state) {
   const { evolved, generations } = trainingSlice.of(state);

@@ -1,0 +1,78 @@
+// Which row of Training drives once all have evolved.
+import assert from 'node:assert/strict';
+import { furthestOf } from '../../../www/parts/training/request.js';
+import { createSets, setNames, testOn } from '../../../www/parts/training/sets.js';
+import { pageTest } from '../harness/browsers.js';
+import { Evolution, experiment, fares, startsOnCircle } from '../harness/core.js';
+import { test } from '../harness/once.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+
+const generations = 50;
+
+test('the furthest row arrives from the most starts, then has the lowest J', () => {
+  const of = (/** @type {[number, number][]} */ ...rows) =>
+    furthestOf(
+      /** @type {any} */ (
+        Object.fromEntries(rows.map(([count, cost], i) => [setNames[i], { unseen: { count, cost } }]))
+      ),
+    );
+  assert.equal(of([3, 9], [2, 1], [1, 1]), 'one');
+  assert.equal(of([3, 9], [5, 20], [4, 1]), 'circle');
+  assert.equal(of([3, 9], [5, 20], [5, 19]), 'grid');
+  // Where the reference moves.
+  assert.equal(of([0, 9], [0, 7], [0, 8]), 'circle');
+});
+
+/** From how many unseen starts each arrives. @param {import('../../../pkg/ep_locomotion.js').Preset} preset */
+function countsOf(preset) {
+  const from = experiment(preset);
+  const sets = createSets({ startsOnCircle })(from);
+  return setNames.map((name) => {
+    const evolution = new Evolution({ ...from, starts: sets[name] });
+    for (let i = 0; i < generations; i += 1) evolution.step();
+    const { arrived } = fares(testOn(from, sets.unseen), evolution.statistics().best.gains);
+    return arrived.reduce((sum, one) => sum + one, 0);
+  });
+}
+
+/** Evolves all, and says which row drives then. @param {Page} page @param {string} note That is no longer there. */
+async function evolveAgain(page, note) {
+  await page.click('#training-evolve');
+  await page.until(
+    'all have evolved',
+    (before) =>
+      document.getElementById('training-evolve')?.innerText === 'Evolve again' &&
+      document.getElementById('training-finding')?.innerText !== before,
+    note,
+  );
+  return page.evaluate(async () => {
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+    const rows = [...document.querySelectorAll('#training-table .chosen')].map(({ id }) => id);
+    const finding = document.getElementById('training-finding')?.innerText ?? '';
+    const title = document.getElementById('training-unseen-title')?.innerText;
+    return { rows: String(rows), finding, title };
+  });
+}
+
+pageTest('the row that comes furthest drives, until somebody chooses another', async (page) => {
+  await page.open(`#training&evolve=${generations}`);
+  const furthest = ['velocity-limits', 'acceleration-limits'].map((preset) => {
+    const counts = countsOf(/** @type {any} */ (preset));
+    const most = Math.max(...counts);
+    return { rows: `training-${setNames[counts.indexOf(most)]}`, title: `Never seen: ${most} of 1000` };
+  });
+  assert.notEqual(furthest[0].rows, furthest[1].rows);
+  let finding = await page.text('#training-finding');
+  for (const [i, preset] of ['velocity-limits', 'acceleration-limits'].entries()) {
+    await page.click(`#preset-${preset}`);
+    const evolved = await evolveAgain(page, finding);
+    ({ finding } = evolved);
+    assert.deepEqual(evolved, { finding, ...furthest[i] });
+  }
+
+  await page.click('#training-circle .training-name');
+  await page.click('#preset-velocity-limits');
+  assert.equal((await evolveAgain(page, finding)).rows, 'training-circle');
+  assert.deepEqual(await page.problems(), []);
+});
