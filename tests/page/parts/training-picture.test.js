@@ -79,3 +79,26 @@ pageTest(
     }
   },
 );
+
+pageTest('one start alone has less room than many, until others are there to compare', async (page) => {
+  await openTraining(page);
+  for (const [width, height] of [
+    [1440, 900],
+    [390, 844],
+  ]) {
+    await page.resize(width, height);
+    const heights = () =>
+      page.evaluate(async () => {
+        for (let frame = 0; frame < 3; frame++)
+          await new Promise((resolve) => requestAnimationFrame(resolve));
+        return ['seen', 'unseen'].map(
+          (name) => /** @type {HTMLElement} */ (document.getElementById(`training-${name}`)).clientHeight,
+        );
+      });
+    const [one, beside] = await heights();
+    await page.click('#training-circle .training-name');
+    const [many, unseen] = await heights();
+    assert.ok(one < 0.8 * many && beside >= unseen, `${one}, ${beside} and ${many}, ${unseen}`);
+    await page.click('#training-paper-ep .training-name');
+  }
+});

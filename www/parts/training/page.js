@@ -84,6 +84,8 @@ export function createPage({ engine, store, actions, paper }) {
       );
       // What was evolved for another goal is shown around that goal.
       const { evolved } = trainingSlice.of(state);
+      // One start fills no picture; once others are beside it to compare, both keep their sizes.
+      element.classList.toggle('of-one', !evolved && seen.starts.length === 1);
       const { goal } = isSet(chosen) && evolved ? evolved.experiment : state.experiment;
       for (const [i, { starts, arrived }] of [seen, unseen].entries())
         pictures[i].draw({ starts, arrived, goal, tried: state.trial.start, theme: state.theme });
