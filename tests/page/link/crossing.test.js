@@ -69,7 +69,7 @@ pageTest('what was found is there in the other language too', async (page) => {
         await set(page, 'training-generations', '50');
         await page.click('#training-evolve');
       },
-      '#training-circle.chosen',
+      ':is(#training-one, #training-circle, #training-grid).chosen',
     ],
   ];
   for (const [part, find, found] of finds) {
