@@ -1,4 +1,5 @@
 // What a person reads on the page, in one look.
+import assert from 'node:assert/strict';
 import { evolve, experiment } from './core.js';
 
 /** @typedef {import('./browsers.js').Page} Page */
@@ -154,3 +155,16 @@ export const waysOf = (page, ...selectors) =>
       return isDisabled && isTold && reason !== '' ? 'locked' : isDisabled ? 'disabled' : 'free';
     });
   }, selectors);
+
+/** Opens a table and reads its cells, the head first. @param {Page} page @param {string} button */
+export async function readTable(page, button) {
+  await page.click(`#${button}`);
+  const cells = await page.evaluate(() =>
+    [.../** @type {HTMLTableElement} */ (document.getElementById('table-rows')).rows].map((row) =>
+      [...row.cells].map((cell) => cell.innerText),
+    ),
+  );
+  assert.deepEqual(await page.obstacles(), []);
+  await page.click('#table-close');
+  return cells;
+}

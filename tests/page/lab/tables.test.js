@@ -1,27 +1,15 @@
 import assert from 'node:assert/strict';
 import { pageTest } from '../harness/browsers.js';
 import { Evolution, experiment, landscape, robustness, shown, simulate } from '../harness/core.js';
+import { readTable } from '../harness/reading.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
 const velocityLimits = experiment('velocity-limits');
 
-/** Opens a table and reads its cells, the head first. @param {Page} page @param {string} button */
-async function table(page, button) {
-  await page.click(`#${button}`);
-  const cells = await page.evaluate(() =>
-    [.../** @type {HTMLTableElement} */ (document.getElementById('table-rows')).rows].map((row) =>
-      [...row.cells].map((cell) => cell.innerText),
-    ),
-  );
-  assert.deepEqual(await page.obstacles(), []);
-  await page.click('#table-close');
-  return cells;
-}
-
 pageTest('the fitness curve can be read as a table', async (page) => {
   for (let i = 0; i < 3; i += 1) await page.click('#one-generation');
-  const [head, ...rows] = await table(page, 'fitness-table');
+  const [head, ...rows] = await readTable(page, 'fitness-table');
   assert.deepEqual(head.slice(0, 3), ['generation', 'drives', 'best J']);
   const evolution = new Evolution(velocityLimits);
   for (const row of rows) {
@@ -71,7 +59,7 @@ pageTest('the landscape can be read as a table', async (page) => {
   await page.until('the fine landscape is there', () =>
     document.getElementById('landscape-note')?.textContent?.replace(/\s/g, '').startsWith('16384drives'),
   );
-  const [head, ...rows] = await table(page, 'landscape-table');
+  const [head, ...rows] = await readTable(page, 'landscape-table');
   const axis = (/** @type {'kx' | 'ktheta'} */ gain) => ({ gain, from: 0, to: 12, count: 128 });
   const costs = landscape(velocityLimits, {
     x: axis('kx'),
@@ -91,7 +79,7 @@ pageTest('the robustness map can be read as a table', async (page) => {
   await page.until('the fine map is there', () =>
     document.getElementById('robustness-note')?.textContent?.replace(/\s/g, '').startsWith('118098'),
   );
-  const [head, ...rows] = await table(page, 'robustness-table');
+  const [head, ...rows] = await readTable(page, 'robustness-table');
   assert.deepEqual([head.length, rows.length], [14, 13]);
   const edge = (/** @type {number} */ middle) => ({ from: middle - 4, to: middle + 4, count: 81 });
   const gains = [3.23673, 0.09678, 5.17891];

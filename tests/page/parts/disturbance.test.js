@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { Key, pageTest } from '../harness/browsers.js';
 import { evolve, experiment, paperGains, remainingErrors, startsOnCircle } from '../harness/core.js';
-import { middleOf, readEvolution } from '../harness/reading.js';
+import { middleOf, readEvolution, readTable } from '../harness/reading.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../harness/core.js').Experiment} Experiment */
@@ -16,7 +16,7 @@ const circle = { radius: Math.hypot(2, 2), count: 32, seed: 1 };
 /** @param {number} size */
 const shown = (size) => (size < 100 ? size.toFixed(3) : size.toFixed(0));
 
-/** The table that the core gives: for each part this drive, its set, and of the others the median, the largest and who stays inside. @param {Gains} gains @param {Disturbance} disturbance */
+/** What the core gives: in sight for each part this drive, its set and who of the others stays inside; in the table all of it. @param {Gains} gains @param {Disturbance} disturbance */
 function expected(gains, disturbance) {
   const { x, y } = preset.goal;
   const starts = [preset.starts[0], ...startsOnCircle({ ...circle, x, y })];
@@ -27,14 +27,17 @@ function expected(gains, disturbance) {
   const inside = (/** @type {'x' | 'y' | 'theta'} */ part, /** @type {number} */ start) =>
     Number(shown(error[part][start])) <= Number(shown(sets[part][start]));
   const others = starts.map((_, i) => i).slice(1);
+  const insideText = (/** @type {'x' | 'y' | 'theta'} */ part) =>
+    `${others.filter((start) => inside(part, start)).length}/32`;
+  const sizes = (/** @type {Float64Array} */ all) =>
+    [all[0], median(all), Math.max(...all.slice(1))].map(shown);
   return {
-    rows: parts.map((part) => [
-      ...[error[part][0], sets[part][0], median(error[part]), Math.max(...error[part].slice(1))].map(shown),
-      `${others.filter((start) => inside(part, start)).length}/32`,
+    rows: parts.map((part) => [shown(error[part][0]), shown(sets[part][0]), insideText(part)]),
+    calm: parts.map((part) => shown(calm[part][0])),
+    table: parts.flatMap((part) => [
+      [...sizes(error[part]), shown(sets[part][0]), insideText(part)],
+      ...(disturbance.kind === 'none' ? [] : [[...sizes(calm[part]), '', '']]),
     ]),
-    calm: parts.map((part) =>
-      [calm[part][0], median(calm[part]), Math.max(...calm[part].slice(1))].map(shown),
-    ),
     allInside: others.filter((start) => parts.every((part) => inside(part, start))).length,
     isInside: parts.every((part) => inside(part, 0)),
   };
@@ -59,7 +62,7 @@ async function readPart(page) {
     const text = (/** @type {Element | null | undefined} */ element) => element?.textContent ?? '';
     return {
       rows: cells.map((row) => row.map((cell) => text(cell.querySelector('span') ?? cell))),
-      calm: cells.map((row) => [0, 2, 3].map((i) => text(row[i].querySelector('small')))),
+      calm: cells.map(([drive]) => text(drive.querySelector('small'))),
       text: text(document.getElementById('remains-text')),
       note: text(document.getElementById('disturbance-note')),
       clock: text(document.getElementById('clock')),
@@ -85,6 +88,10 @@ async function shows(page, rows) {
   return readPart(page);
 }
 
+/** The numbers of all rows. @param {Page} page */
+const numbersOf = async (page) =>
+  (await readTable(page, 'disturbance-table')).slice(1).map(([, ...numbers]) => numbers);
+
 pageTest('where Theorem 2 promises nothing there are no sets', async (page) => {
   for (const [link, isPromised] of /** @type {const} */ ([
     ['gains=1,1,1', true],
@@ -93,7 +100,7 @@ pageTest('where Theorem 2 promises nothing there are no sets', async (page) => {
   ])) {
     await page.open(`#disturbance&v=1&under=slip,0.1,0.1,1&drives=hand&${link}`);
     const { rows } = await readPart(page);
-    const sets = rows.flatMap((row) => [row[1], row[4]]);
+    const sets = rows.flatMap((row) => [row[1], row[2]]);
     assert.ok(
       sets.every((text) => (text === '–') !== isPromised),
       `${link}: ${sets}`,
@@ -134,6 +141,7 @@ pageTest('what remains is what the core measures, for each kind of disturbance',
     const core = expected(arbitrary, disturbance);
     const { calm, text, clock, legend } = await shows(page, core.rows);
     assert.deepEqual(calm, core.calm, kind);
+    assert.deepEqual(await numbersOf(page), core.table, kind);
     assert.ok(text.includes(`Of 32 other starts, ${core.allInside} stay within reach of all three`), text);
     assert.equal(text.includes('this drive stays within reach of all three sets'), core.isInside, text);
     // Nobody arrives, and the robot is compared with itself.
@@ -141,8 +149,10 @@ pageTest('what remains is what the core measures, for each kind of disturbance',
     assert.match(legend, /without the disturbance/);
   }
   await page.click('#disturbance-kind-none');
-  const { text } = await shows(page, expected(arbitrary, { kind: 'none' }).rows);
+  const core = expected(arbitrary, { kind: 'none' });
+  const { text } = await shows(page, core.rows);
   assert.match(text, /Without a disturbance/);
+  assert.deepEqual(await numbersOf(page), core.table);
 });
 
 pageTest(

@@ -5,6 +5,8 @@ import './places.css';
 import { html, render } from 'lit-html';
 import { createTeller } from '../../lab/announcer.js';
 import { remember, watch } from '../../kit/memo.js';
+import { showTable } from '../../lab/table-sheet.js';
+import { tables } from '../../words/index.js';
 import words from './words/index.js';
 import { createSection } from '../section.js';
 import { createControls } from './controls.js';
@@ -12,7 +14,7 @@ import { createPlots } from './plots.js';
 import { createRequests, createSpec } from './request.js';
 import { disturbanceSlice } from './state.js';
 import { summarize } from './summary.js';
-import { tableOf } from './table.js';
+import { remainsTable, tableOf } from './table.js';
 
 /** @param {Tools} tools @returns {Page} */
 export function createPage(tools) {
@@ -24,6 +26,10 @@ export function createPage(tools) {
   const summaryOf = remember(summarize);
   const changed = watch();
   const tell = createTeller('disturbance');
+  const onTable = () => {
+    const { measured } = disturbanceSlice.of(store.get());
+    showTable(measured && remainsTable(summaryOf(measured)));
+  };
   /** @type {ReturnType<typeof createPlots> | null} */
   let plots = null;
 
@@ -42,6 +48,7 @@ export function createPage(tools) {
           html`
             <div class="heading">
               <h2 id="disturbance-title">${words.texts.disturbanceTitle}</h2>
+              <button id="disturbance-table" type="button" class="link" @click=${onTable}>${tables.texts.tableButton}</button>
               <p id="disturbance-note" class=${message ? 'field-error' : 'muted'}>${message ? words.failed(message, measured !== null) : words.kindText(tried)}</p>
             </div>
             ${controlsOf(tried, error)} ${tableOf(measured && summaryOf(measured))}`,

@@ -1,5 +1,6 @@
-// The table of what remains: a row for each part of the error, with its plot and its numbers.
-/** @import { PartName, Summary } from './summary.js' */
+// What remains as a table: in sight a row for each part of the error, with its plot and its numbers, and in a sheet all that was measured.
+/** @import { Table } from '../../kit/table.js' */
+/** @import { PartName, Sizes, Summary } from './summary.js' */
 import { html, nothing } from 'lit-html';
 import { formula } from '../../kit/templates.js';
 import words from './words/index.js';
@@ -17,14 +18,9 @@ export const tableOf = (summary) => html`
     aria-labelledby="disturbance-title remains-caption">
     <thead>
       <tr>
-        <th id="remains-caption" class="remains-caption" scope="col" rowspan="2">${summary && words.captionText(summary.seconds)}</th>
-        <th scope="col" rowspan="2">${texts.remainsDrive}</th>
-        <th scope="col" rowspan="2">${texts.remainsSet}</th>
-        <th id="remains-starts" scope="colgroup" colspan="3">${summary && words.startsText(summary.starts)}</th>
-      </tr>
-      <tr>
-        <th scope="col">${texts.remainsMedian}</th>
-        <th scope="col">${texts.remainsLargest}</th>
+        <th id="remains-caption" class="remains-caption" scope="col">${summary && words.captionText(summary.seconds)}</th>
+        <th scope="col">${texts.remainsDrive}</th>
+        <th scope="col">${texts.remainsSet}</th>
         <th scope="col" title=${texts.remainsInsideHint}>${texts.remainsInside}</th>
       </tr>
     </thead>
@@ -39,23 +35,50 @@ const hasSets = (summary) => summary === null || words.isPromised(summary);
 function rowOf(part, summary) {
   const numbers = summary?.rows[part];
   const hasSet = hasSets(summary);
-  /** With the same without the disturbance below. @param {'drive' | 'median' | 'largest'} name */
-  const cellOf = (name) =>
-    cell(numbers?.[name], summary?.disturbed ? words.sizeText(summary.calm[part][name]) : '');
   return html`
     <tr class=${part}>
       <th scope="row">
         <span class="remains-formula">${formula(words.formulas[part])}<span>${words.axisUnit(part)}</span></span>
         <div class="remains-plot layers" role="img" aria-label=${summary ? words.plotLabel(part, summary) : nothing}><canvas></canvas><canvas></canvas></div>
       </th>
-      <td class=${hasSet && numbers && !numbers.isInside && numbers.set > 0 ? 'beyond' : ''}>${cellOf('drive')}</td>
+      <td class=${hasSet && numbers && !numbers.isInside && numbers.set > 0 ? 'beyond' : ''}>${cell(numbers?.drive, summary?.disturbed ? words.sizeText(summary.calm[part].drive) : '')}</td>
       <td title=${words.equationHints[part]}>${hasSet ? cell(numbers?.set, words.equations[part]) : words.none}</td>
-      <td>${cellOf('median')}</td>
-      <td>${cellOf('largest')}</td>
-      <td>${summary && (hasSet ? words.insideText(summary.rows[part].inside, summary.starts) : words.none)}</td>
+      <td>${summary && insideOf(summary, part)}</td>
     </tr>`;
 }
 
 /** @param {number | undefined} number @param {string} below */
 const cell = (number, below) =>
   html`<span>${number === undefined ? '' : words.sizeText(number)}</span><small>${below}</small>`;
+
+/** @param {Summary} summary @param {PartName} part */
+const insideOf = (summary, part) =>
+  words.isPromised(summary) ? words.insideText(summary.rows[part].inside, summary.starts) : words.none;
+
+/** All numbers, each part of the error also undisturbed. @param {Summary} summary @returns {Table} */
+export function remainsTable(summary) {
+  const sizes = (/** @type {Sizes} */ { drive, median, largest }) =>
+    [drive, median, largest].map(words.sizeText);
+  const rows = parts.flatMap((part) => {
+    const disturbed = [
+      words.measureText(part),
+      ...sizes(summary.rows[part]),
+      words.isPromised(summary) ? words.sizeText(summary.rows[part].set) : words.none,
+      insideOf(summary, part),
+    ];
+    const calm = [words.calmText(part), ...sizes(summary.calm[part]), '', ''];
+    return summary.disturbed ? [disturbed, calm] : [disturbed];
+  });
+  return {
+    caption: words.tableCaption(summary.seconds),
+    columns: [
+      texts.remainsPart,
+      texts.remainsDrive,
+      ...words.othersColumns(summary.starts),
+      texts.remainsSet,
+      texts.remainsInside,
+    ],
+    count: rows.length,
+    rowOf: (i) => rows[i],
+  };
+}

@@ -3,6 +3,8 @@ import { plane, textOf } from '../pictured.js';
 
 /** @type {import('../samples.js').Sample} */
 export const sample = {
+  tables: { '': 'disturbance-table' },
+  free: ['disturbance-table'],
   pictures: [
     {
       setUp: (page) => textOf(page, 'remains-text', 'In the last'),
@@ -11,7 +13,7 @@ export const sample = {
         {
           name: 'What remains of the error',
           key: 'disturbance',
-          texts: ['this drive', 'largest', '|sin', '2 s', '32 other starts'],
+          texts: ['this drive', 'largest', '|sin', '2 s', 'its set'],
           lines: 15,
         },
       ],

@@ -12,11 +12,10 @@ export const texts = {
   disturbanceControls: 'The disturbance',
   disturbanceSizes: 'Size of the disturbance',
   disturbanceDraw: 'New draw',
+  remainsPart: 'error',
   remainsDrive: 'this drive',
   remainsSet: 'its set',
-  remainsMedian: 'median',
-  remainsLargest: 'largest',
-  remainsInside: 'inside',
+  remainsInside: 'others inside',
   remainsInsideHint: 'How many stay, in these seconds, within the farthest reach of their own set',
 };
 
@@ -45,6 +44,18 @@ export const axisUnit = (part) => (unitOf[part] ? ` in ${unitOf[part]}` : '');
 
 /** @param {number} starts */
 export const startsText = (starts) => `${starts} other ${starts === 1 ? 'start' : 'starts'}`;
+/** Of all that was measured. @param {number} starts */
+export const othersColumns = (starts) => [
+  `median of ${startsText(starts)}`,
+  `largest of ${starts === 1 ? 'it' : 'them'}`,
+];
+/** @param {PartName} part */
+export const measureText = (part) => `${formulaText(part)}${axisUnit(part)}`;
+/** @param {PartName} part */
+export const calmText = (part) => `${measureText(part)}, undisturbed`;
+/** @param {number} seconds */
+export const tableCaption = (seconds) =>
+  `What remains of the error: the largest of the last ${sixDigits(seconds)} s`;
 /** @param {number} seconds */
 export const lastText = (seconds) => `last ${sixDigits(seconds)} s`;
 /** @param {number} seconds */

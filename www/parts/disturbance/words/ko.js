@@ -12,11 +12,10 @@ export const texts = {
   disturbanceControls: '외란',
   disturbanceSizes: '외란의 크기',
   disturbanceDraw: '새로 뽑기',
+  remainsPart: '오차',
   remainsDrive: '이 주행',
   remainsSet: '집합',
-  remainsMedian: '중앙값',
-  remainsLargest: '최대',
-  remainsInside: '안쪽',
+  remainsInside: '안에 남은 출발점',
   remainsInsideHint: '이 시간 동안 오차가 자기 집합의 최대 범위를 벗어나지 않은 출발점의 수',
 };
 
@@ -42,6 +41,14 @@ export const failed = (message, kept) =>
 
 /** @param {number} starts */
 export const startsText = (starts) => `다른 출발점 ${starts}개`;
+/** Of all that was measured. @param {number} starts */
+export const othersColumns = (starts) => [`${startsText(starts)}의 중앙값`, '그중 최댓값'];
+/** @param {PartName} part */
+export const measureText = (part) => `${formulaText(part)}${axisUnit(part)}`;
+/** @param {PartName} part */
+export const calmText = (part) => `${measureText(part)}, 외란 없음`;
+/** @param {number} seconds */
+export const tableCaption = (seconds) => `남은 오차: 마지막 ${sixDigits(seconds)}초의 최댓값`;
 /** @param {number} seconds */
 export const lastText = (seconds) => `마지막 ${sixDigits(seconds)} s`;
 /** @param {number} seconds */
