@@ -111,7 +111,9 @@ export async function cluttered() {
           all.add(`“${one.text}” and “${other.text}” lie on each other`);
       }
     }
-    for (const picture of document.querySelectorAll('.stage, [data-picture]:has(canvas, svg:not(.swatch))')) {
+    for (const picture of document.querySelectorAll(
+      '.stage, [data-picture]:not(p):has(canvas, svg:not(.swatch))',
+    )) {
       if (!isSeen(picture)) continue;
       const { width, height } = picture.getBoundingClientRect();
       if (width < 80 || height < 48)

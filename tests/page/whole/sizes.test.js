@@ -112,6 +112,35 @@ pageTest('on a large screen the plane has the height that is there', async (page
   }
 });
 
+pageTest('on a tablet held upright all of a part is in sight at once', async (page) => {
+  for (const [width, height] of /** @type {const} */ ([
+    [820, 1180],
+    [768, 1024],
+  ])) {
+    await page.resize(width, height);
+    for (const [part, ...ids] of [
+      ['lab', 'plane', 'cost', 'curve', 'run', 'gains'],
+      ['landscape', 'plane', 'cost', 'run', 'drives', 'landscape-map'],
+      ['robustness', 'plane', 'drives', 'robustness-map', 'robustness-rose'],
+    ]) {
+      await openPart(page, part);
+      const [aside] = await excess(page);
+      assert.ok(aside <= 0, `${part} at ${width}: ${aside} px`);
+      const beyond = await page.evaluate(
+        (...names) =>
+          names.flatMap((id) => {
+            const { bottom } = /** @type {HTMLElement} */ (
+              document.getElementById(id)
+            ).getBoundingClientRect();
+            return bottom > innerHeight ? `${id}: ${bottom}` : [];
+          }),
+        ...ids,
+      );
+      assert.deepEqual(beyond, [], `${part} at ${width} × ${height}`);
+    }
+  }
+});
+
 pageTest('the links to the parts and the plane stay where they are from part to part', async (page) => {
   for (const link of ['#lab', '#lab&v=1&lang=ko']) {
     await page.open(link);
