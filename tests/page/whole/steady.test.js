@@ -42,6 +42,17 @@ pageTest('the parts’ names stay where they are, whichever is open', async (pag
   }
 });
 
+pageTest('J or σ stay where they are pressed while the generation gets its second digit', async (page) => {
+  await page.open('#lab&v=1&generation=9');
+  const choice = '#curve-choice label';
+  const before = await lefts(page, choice);
+  assert.equal(before.length, 2);
+  await page.click('#one-generation');
+  await page.until('generation 10', () => document.getElementById('generation')?.textContent === '10');
+  for (const [i, left] of (await lefts(page, choice)).entries())
+    assert.ok(Math.abs(left - before[i]) < 0.5, `${before[i]} → ${left}`);
+});
+
 pageTest('a gain of six digits is seen whole, in every row of gains', async (page) => {
   await page.resize(1366, 768);
   for (const link of ['lab&v=1', 'curves&v=1', 'lesson&step=law']) {
