@@ -9,7 +9,7 @@ import { nextRest, paces } from '../run/pace.js';
 import { lab as strings, texts } from '../words/index.js';
 
 /** @typedef {{ time: number, finalTime: number, playing: boolean, speed: number }} RobotBarModel */
-/** `timeline`: the generation that is asked for, which may still be computed. @typedef {{ open: string, evolving: boolean, generation: number, timeline: number, newest: number, pace: number, until: Until, untilError: string, note: string }} EvolutionBarModel */
+/** `timeline`: the generation that is asked for, which may still be computed; `isMain`: nothing else on the page leads on. @typedef {{ open: string, isMain: boolean, evolving: boolean, generation: number, timeline: number, newest: number, pace: number, until: Until, untilError: string, note: string }} EvolutionBarModel */
 
 /** How far a slider is filled. @param {number} part */
 const filled = (part) => styled('--to', `${100 * part}%`);
@@ -85,12 +85,12 @@ export function createPauseButton(button, { pauseEvolution }) {
 
 /** @param {EvolutionBarModel & { kind: Until['kind'] }} model @param {Actions} actions @param {{ onKind: (event: Event) => void, onValue: () => void }} on */
 function evolutionBar(model, actions, { onKind, onValue }) {
-  const { open, evolving, timeline, newest, pace, kind, until, untilError, note } = model;
+  const { open, isMain, evolving, timeline, newest, pace, kind, until, untilError, note } = model;
   const isElsewhere = open !== 'lab';
   const end = Math.max(1, newest);
   return html`
     <fieldset id="evolution-clock" class="bar" aria-label=${texts.evolutionClock}>
-      <button id="run" type="button" class="primary" @click=${() => actions.toggleEvolution()}>${evolving ? strings.pauseEvolution : strings.run}</button>
+      <button id="run" type="button" class=${isMain ? 'primary' : ''} @click=${() => actions.toggleEvolution()}>${evolving ? strings.pauseEvolution : strings.run}</button>
       <button id="one-back" type="button" class="icon" aria-label=${texts.oneBack} aria-disabled=${String(timeline === 0)}
         @click=${unless(timeline === 0, actions.oneBack)}>
         <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d="M12 2L2 8l10 6z"/></svg>

@@ -18,7 +18,7 @@ import { isSmall } from './plane-names.js';
 import { labSlice } from './state.js';
 import { showMessage } from './views.js';
 
-/** Of the lab as a whole there are else only its head and its message; of the sliders, nothing; of what is paid of J, nothing at the path. @typedef {Record<'lab' | 'gains' | 'pays', (state: State) => boolean>} InSight */
+/** Of the lab as a whole there are else only its head and its message; of the sliders, nothing; of what is paid of J, nothing at the path; with steps, what leads on stands elsewhere. @typedef {Record<'lab' | 'gains' | 'pays' | 'steps', (state: State) => boolean>} InSight */
 
 /**
  * @param {Views} views @param {Engine} engine @param {PaperResult[]} paper
@@ -64,14 +64,14 @@ export function createDraw(views, engine, paper, inSight, turn) {
       generation: () => write(byId('generation'), String(generation)),
       seed: () => write(byId('seed'), String(experiment.evolution.seed)),
       curve: () => state.page === 'lab' && drawCurve(views, state, scene),
-      evolutionBar: () => views.evolutionBar.draw(evolutionOf(state)),
+      evolutionBar: () => views.evolutionBar.draw({ ...evolutionOf(state), isMain: !inSight.steps(state) }),
       gains: () =>
         views.gains.draw({
           isShown: inSight.gains(state),
           gains: gainsOf(state, driver, paper),
           errors: state.gainErrors,
           range: sliderRange[preset],
-          note: gainsNote(state),
+          note: gainsNote(state, scene),
         }),
       notes: () =>
         views.notes.draw({
@@ -142,11 +142,13 @@ function drawCurve(views, state, scene) {
   else views.sigmas.draw({ history, generation, theme });
 }
 
-/** @param {State} state */
-function gainsNote(state) {
+/** @param {State} state @param {Scene} scene */
+function gainsNote(state, { comparison, comparisonDriver }) {
   const { driver, found, history, generation, versions } = state;
   if (driver === 'hand' && found !== 'hand' && versions.past.at(-1)?.hand) return strings.gainsReplaced;
-  return strings.gainsNote(driver, isOneDrive(state) ? history[generation].best.cost : null);
+  const isPapers = comparisonDriver === 'paper-ep';
+  const cost = isPapers ? comparison.cost.total : history[generation].best.cost;
+  return strings.gainsNote(driver, isPapers, isOneDrive(state) ? cost : null);
 }
 
 /** @param {State} state */

@@ -39,6 +39,7 @@ export const inSight = {
   lab: ({ page }) => !partOf(page)?.alone,
   gains: (state) => state.page === 'lab' || (partOf(state.page)?.gains?.(state) ?? state.driver === 'hand'),
   pays: ({ page }) => partOf(page)?.pays ?? false,
+  steps: ({ page }) => partOf(page)?.phases ?? false,
 };
 
 /** What links know of them. @type {Omit<import('../link/link.js').Tables, 'lesson'>} */

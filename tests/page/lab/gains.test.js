@@ -265,6 +265,19 @@ pageTest('what is being typed is not overwritten by what evolution finds', async
   assert.deepEqual([driver, gains[0]], ['hand', '42.000']);
 });
 
+pageTest('a hand is asked to beat the one that is dotted', async (page) => {
+  const beaten = async () => {
+    await page.click('#drives-evolved');
+    await page.click('#drives-hand');
+    return /([\d.]+)\?$/.exec(await page.text('#gains-note'))?.[1];
+  };
+  assert.equal(await beaten(), shown(simulate(velocityLimits, ep).cost.total));
+  assert.match(await page.text('#legend .dashed'), /paper’s EP/);
+  await page.click('#one-generation');
+  assert.equal(await beaten(), evolve(velocityLimits, 1).shown.cost);
+  assert.match(await page.text('#legend .dashed'), /best of generation 1/);
+});
+
 pageTest(
   'what corrects a gain that was refused is typed to its end while evolution goes on',
   async (page) => {

@@ -25,7 +25,7 @@ const choose = (page, id, text) =>
   page.evaluate(
     (select, wanted) => {
       const element = /** @type {HTMLSelectElement} */ (document.getElementById(select));
-      element.selectedIndex = [...element.options].findIndex((option) => option.text === wanted);
+      element.value = [...element.options].find((option) => option.text === wanted)?.value ?? wanted;
       element.dispatchEvent(new Event('change'));
     },
     id,
@@ -83,12 +83,12 @@ pageTest('evolution stops at the first J below the one that is asked for', async
   }
   await choose(page, 'until', 'until J is below');
   await typeUntil(page, '7', '.', '9', Key.ENTER);
-  await choose(page, 'pace', '60/s');
+  await choose(page, 'pace', '60 generations/s');
   await page.click('#run');
   await rests(page);
   assert.deepEqual(await readEvolution(page), seedOne(generation));
   const { cost } = evolution.statistics().best;
-  const said = `The best J of generation ${generation}, ${cost.toFixed(3)}, is below 7.9. Press Run to go on.`;
+  const said = `Generation ${generation}: J ${cost.toFixed(3)} is below 7.9. Run goes on.`;
   assert.equal(await page.text('#evolution-note'), said);
   await choose(page, 'pace', 'fastest');
   await page.click('#run');
@@ -194,7 +194,7 @@ pageTest('one phase at a time Run plays the generations, and comes to the same',
 });
 
 pageTest('the pace is changed while evolution runs, also in the generation part', async (page) => {
-  await choose(page, 'pace', '1/s');
+  await choose(page, 'pace', '1 generation/s');
   await page.click('#run');
   await page.until('generation 1', () => document.getElementById('generation')?.textContent !== '0');
   await notePhases(page);

@@ -1,5 +1,6 @@
 // The numbers of a generation, phase by phase.
 import assert from 'node:assert/strict';
+import { margin } from '../../../www/parts/generation/places.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { simulate } from '../harness/core.js';
 import { read } from '../harness/reading.js';
@@ -224,6 +225,22 @@ pageTest(
     assert.equal(index, 'i', 'an index of the formula’s own font, which is not cut');
   },
 );
+
+pageTest('a press in a column chooses who stands there, however high', async (page) => {
+  await openAt(page, 3);
+  await go(page, 'parents');
+  const { width, height } = await page.evaluate(() => {
+    const box = document.getElementById('generation-picture')?.getBoundingClientRect();
+    return { width: box?.width ?? 0, height: box?.height ?? 0 };
+  });
+  const step = (width - margin.left - margin.right) / count;
+  for (const number of [4, 13, 19])
+    for (const y of [0.1 * height, 0.5 * height]) {
+      const point = { x: margin.left + (number + 0.5) * step, y };
+      await page.drag('#generation-picture', [point, point]);
+      assert.equal((await shownOn(page)).chosen, nameOf(number), `${number} at ${y}`);
+    }
+});
 
 pageTest('who wants less motion sees none from one phase to the next', async (page) => {
   await openAt(page, 1);

@@ -192,7 +192,10 @@ test('with many starts the cost is that of the first, and evolution’s mean is 
   for (const { lab } of [en, ko]) {
     assert.doesNotMatch(lab.costMeaning(1), /\d/);
     assert.match(lab.costMeaning(32), /32/);
-    assert.match(lab.gainsNote('hand', 8.5), /8\.5/);
-    assert.doesNotMatch(lab.gainsNote('hand', null), /\d|null/);
+    for (const isPapers of [true, false]) {
+      assert.match(lab.gainsNote('hand', isPapers, 8.5), /8\.5/);
+      assert.doesNotMatch(lab.gainsNote('hand', isPapers, null), /\d|null/);
+    }
+    assert.notEqual(lab.gainsNote('hand', true, 8.5), lab.gainsNote('hand', false, 8.5));
   }
 });

@@ -18,7 +18,7 @@ export const tableOf = (summary) => html`
     aria-labelledby="disturbance-title remains-caption">
     <thead>
       <tr>
-        <th id="remains-caption" class="remains-caption" scope="col">${summary && words.captionText(summary.seconds)}</th>
+        <th id="remains-caption" class="remains-caption" scope="col">${summary && words.captionText(summary)}</th>
         <th scope="col">${texts.remainsDrive}</th>
         <th scope="col">${texts.remainsSet}</th>
         <th scope="col" title=${texts.remainsInsideHint}>${texts.remainsInside}</th>

@@ -15,6 +15,9 @@ import { orderOf, placesOf, radiusOf } from './places.js';
 /** @typedef {{ anatomy: Anatomy, phase: Phase, chosen: number, still: boolean }} PictureModel Still: nobody has asked for motion. */
 /** @typedef {{ model: PictureModel, size: Size, places: Place[], twins: Place[] | null }} Drawn Twins: the same from another side. */
 
+/** How far from its middle a mark is hit, and how far beside it its column reaches, in pixels. */
+const [hitRadius, columnReach] = [14, 40];
+
 /** @param {HTMLElement} element The part. @param {{ onChoose: (number: number) => void }} on */
 export function createPicture(element, { onChoose }) {
   const root = /** @type {HTMLElement} */ (element.querySelector('#generation-picture'));
@@ -42,7 +45,7 @@ export function createPicture(element, { onChoose }) {
   root.addEventListener('click', (event) => {
     if (!drawn) return;
     const { left, top } = root.getBoundingClientRect();
-    const number = nearest(drawn, event.clientX - left, event.clientY - top);
+    const number = pressed(drawn, event.clientX - left, event.clientY - top);
     if (number !== null) onChoose(number);
   });
   // Keys can be quicker than frames.
@@ -146,14 +149,20 @@ function stepped(order, chosen, key) {
   return to === undefined ? null : order[Math.max(0, Math.min(last, to))];
 }
 
-/** The mark in sight that is nearest to a point, unless that is far from all. @param {Drawn} drawn @param {number} x @param {number} y */
-function nearest({ model, places, twins }, x, y) {
-  const distance = (/** @type {number} */ number) =>
+/** The mark in sight that is hit, or else that of the column, however high; if there is one. @param {Drawn} drawn @param {number} x @param {number} y */
+function pressed({ model, places, twins }, x, y) {
+  const order = orderOf(model.anatomy, model.phase);
+  /** @param {number} number @param {number} height How much it counts how far above or below. */
+  const distance = (number, height) =>
     Math.min(
-      ...[places, twins ?? places].map((there) => Math.hypot(there[number].x - x, there[number].y - y)),
+      ...[places, twins ?? places].map((all) => Math.hypot(all[number].x - x, height * (all[number].y - y))),
     );
-  const number = orderOf(model.anatomy, model.phase).reduce((a, b) => (distance(b) < distance(a) ? b : a));
-  return distance(number) < 40 ? number : null;
+  const nearest = (/** @type {number} */ height) =>
+    order.reduce((a, b) => (distance(b, height) < distance(a, height) ? b : a));
+  const hit = nearest(1);
+  if (distance(hit, 1) < hitRadius) return hit;
+  const below = nearest(0.01);
+  return distance(below, 0) < columnReach ? below : null;
 }
 
 /** For who does not see it. @param {HTMLElement} root @param {PictureModel} model */

@@ -62,7 +62,7 @@ function bar({ contest, contestRuns, others, seeds, budget }, { onContest, updat
   const runText = words.contestRunText(1 + others.length, seeds);
   return html`
     <div class="bar luck-bar contest-bar">
-      <button id="contest-run" type="button" class="primary" data-other=${runText} @click=${unlessDouble(onContest)}>${contestRuns ? words.cancel : runText}</button>
+      <button id="contest-run" type="button" class=${contestRuns ? '' : 'primary'} data-other=${runText} @click=${unlessDouble(onContest)}>${contestRuns ? words.cancel : runText}</button>
       ${selectOf('contest-seeds', texts.seeds, seedChoices, seeds, (chosen) => update({ seeds: chosen }), contestRuns)}
       ${selectOf('contest-budget', texts.budget, budgetChoices, budget, (chosen) => update({ budget: chosen }), contestRuns)}
       <progress max="1" class=${contestRuns ? '' : 'visually-hidden'} aria-label=${texts.progress} .value=${contestRuns ? done / Math.max(1, all) : 0}></progress>

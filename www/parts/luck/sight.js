@@ -65,7 +65,7 @@ function bar({ progress, count, generations }, { onRun, update }) {
   const runs = progress !== null;
   return html`
     <div class="bar luck-bar">
-      <button id="luck-run" type="button" class="primary" data-other=${words.runText(count)} @click=${unlessDouble(onRun)}>${runs ? words.cancel : words.runText(count)}</button>
+      <button id="luck-run" type="button" class=${runs ? '' : 'primary'} data-other=${words.runText(count)} @click=${unlessDouble(onRun)}>${runs ? words.cancel : words.runText(count)}</button>
       ${selectOf('luck-count', texts.luckCount, countChoices, count, (chosen) => update({ count: chosen }), runs)}
       ${selectOf('luck-generations', texts.luckGenerations, lengthChoices, generations, (chosen) => update({ generations: chosen }), runs)}
       <progress id="luck-progress" max="1" class=${runs ? '' : 'visually-hidden'} aria-label=${texts.luckProgress}

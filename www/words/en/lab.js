@@ -117,7 +117,7 @@ export const costMeaning = (starts) =>
 export const costTitle = (driver, found, isLowest) =>
   ({
     evolved: isLowest ? 'Cost of the best robot' : 'Cost of this generation’s best robot',
-    hand: `Cost of ${foundName[found]}`,
+    hand: found === 'hand' ? 'Cost of your gains' : 'Cost of these gains',
     'paper-ep': 'Cost of the paper’s EP gains',
     'paper-arbitrary': 'Cost of the paper’s arbitrary gains',
   })[driver];
@@ -191,7 +191,11 @@ export const pauseEvolution = 'Pause';
 
 /** @param {number} pace Generations in a second; with 0 it is one phase at a time. */
 export const paceText = (pace) =>
-  pace === 0 ? 'one phase at a time' : Number.isFinite(pace) ? `${pace}/s` : 'fastest';
+  pace === 0
+    ? 'one phase at a time'
+    : Number.isFinite(pace)
+      ? `${counted(pace, 'generation', 'generations')}/s`
+      : 'fastest';
 
 /** @type {readonly (readonly [kind: Until['kind'], text: string])[]} */
 export const untils = [
@@ -221,8 +225,8 @@ export const recordedText = (generation, newest) =>
 export const restartText = (restart, population, isPapers) =>
   ({
     begin: isPapers
-      ? `${counted(population, 'random robot', 'random robots')}. Run: each has one offspring, then a tournament keeps ${population}.`
-      : 'Generation 0 of another search than the paper’s. Run: it goes on from here.',
+      ? `${counted(population, 'random robot', 'random robots')}: each has one offspring, a tournament keeps ${population}.`
+      : 'Generation 0 of another search than the paper’s.',
     moved: 'Start or goal has moved: evolution begins again at generation 0.',
     limits: 'Other limits: evolution begins again at generation 0.',
     seed: `New seed: ${counted(population, 'other robot', 'other robots')} at generation 0.`,
@@ -247,7 +251,7 @@ export const restText = (generation) => `Paused at generation ${generation}. Pre
 
 /** @param {number} value Below which J was to come. @param {Statistics} statistics */
 export const reachedText = (value, { generation, best }) =>
-  `The best J of generation ${generation}, ${textBelow(best.cost, value, costText)}, is below ${sixDigits(value)}. Press Run to go on.`;
+  `Generation ${generation}: J ${textBelow(best.cost, value, costText)} is below ${sixDigits(value)}. Run goes on.`;
 
 /** @param {Statistics} statistics */
 export const announcement = (statistics) =>
@@ -264,11 +268,11 @@ export const curveLabel = (first, newest) =>
   `Fitness curve over ${newest.generation} generations: best J from ${costText(first.best.cost)} to ${costText(newest.best.cost)}, median from ${costText(first.median)} to ${costText(newest.median)}.`;
 
 export const generationAxis = 'generation';
-/** @param {Driver} driver @param {number | null} evolved The best cost of the newest generation, if it is of the same drive. */
-export const gainsNote = (driver, evolved) =>
+/** @param {Driver} driver @param {boolean} isPapers Whether a hand is compared with the paper's evolution. @param {number | null} cost Of what it is compared with, if it is of the same drive. */
+export const gainsNote = (driver, isPapers, cost) =>
   ({
     evolved: 'move one to drive by hand',
-    hand: evolved === null ? 'can you beat evolution?' : `can you beat evolution’s ${costText(evolved)}?`,
+    hand: `can you beat ${isPapers ? 'the paper' : 'evolution'}${cost === null ? '' : `’s ${costText(cost)}`}?`,
     'paper-ep': 'found by evolution in the paper',
     'paper-arbitrary': 'chosen without evolution',
   })[driver];

@@ -112,7 +112,7 @@ export const costMeaning = (starts) =>
 export const costTitle = (driver, found, isLowest) =>
   ({
     evolved: isLowest ? '최우수 로봇의 비용' : '이 세대 최우수 로봇의 비용',
-    hand: `${foundName[found]}의 비용`,
+    hand: found === 'hand' ? `${foundName.hand}의 비용` : '이 이득의 비용',
     'paper-ep': '논문 EP 이득의 비용',
     'paper-arbitrary': '논문 임의 이득의 비용',
   })[driver];
@@ -216,8 +216,8 @@ export const recordedText = (generation, newest) =>
 export const restartText = (restart, population, isPapers) =>
   ({
     begin: isPapers
-      ? `무작위 로봇 ${population}대입니다. 진화를 시작하면 각각 자손을 하나씩 만들고, 토너먼트로 로봇 ${population}대가 남습니다.`
-      : '논문과 다른 탐색의 0세대입니다. 시작하면 여기서부터 이어 갑니다.',
+      ? `무작위 로봇 ${population}대: 각각 자손을 하나씩 만들고, 토너먼트로 ${population}대가 남습니다.`
+      : '논문과 다른 탐색의 0세대입니다.',
     moved: '출발 또는 목표가 바뀌어 진화를 0세대부터 다시 시작합니다.',
     limits: '제한이 바뀌어 진화를 0세대부터 다시 시작합니다.',
     seed: `새 시드입니다. 0세대의 다른 로봇 ${population}대로 시작합니다.`,
@@ -241,7 +241,7 @@ export const restText = (generation) =>
 
 /** @param {number} value Below which J was to come. @param {Statistics} statistics */
 export const reachedText = (value, { generation, best }) =>
-  `${generation}세대의 최소 J(${textBelow(best.cost, value, costText)})가 ${sixDigits(value)}보다 낮습니다. “진화 시작”을 누르면 이어집니다.`;
+  `${generation}세대: 최소 J ${textBelow(best.cost, value, costText)}, ${sixDigits(value)} 미만입니다. “진화 시작”으로 이어집니다.`;
 
 /** @param {Statistics} statistics */
 export const announcement = (statistics) =>
@@ -259,11 +259,11 @@ export const curveLabel = (first, newest) =>
 
 export const generationAxis = '세대';
 
-/** @param {Driver} driver @param {number | null} evolved The best cost of the newest generation, if it is of the same drive. */
-export const gainsNote = (driver, evolved) =>
+/** @param {Driver} driver @param {boolean} isPapers Whether a hand is compared with the paper's evolution. @param {number | null} cost Of what it is compared with, if it is of the same drive. */
+export const gainsNote = (driver, isPapers, cost) =>
   ({
     evolved: '움직이면 직접 조정으로 바뀝니다',
-    hand: evolved === null ? '도전: 진화보다 낮은 J' : `도전: 진화의 최소 J ${costText(evolved)}보다 낮게`,
+    hand: `도전: ${isPapers ? '논문의 J' : '진화의 최소 J'}${cost === null ? '' : ` ${costText(cost)}`}보다 낮게`,
     'paper-ep': '논문에서 진화로 찾은 이득',
     'paper-arbitrary': '진화 없이 정한 이득',
   })[driver];

@@ -58,8 +58,9 @@ export const tableCaption = (seconds) =>
   `What remains of the error: the largest of the last ${sixDigits(seconds)} s`;
 /** @param {number} seconds */
 export const lastText = (seconds) => `last ${sixDigits(seconds)} s`;
-/** @param {number} seconds */
-export const captionText = (seconds) => `largest of the last ${sixDigits(seconds)} s; grey: undisturbed`;
+/** @param {Summary} summary */
+export const captionText = ({ seconds, disturbed }) =>
+  `largest of the last ${sixDigits(seconds)} s${disturbed ? '; small: undisturbed' : ''}`;
 
 export const legend = {
   drive: 'this drive',

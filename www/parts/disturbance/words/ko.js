@@ -51,8 +51,9 @@ export const calmText = (part) => `${measureText(part)}, 외란 없음`;
 export const tableCaption = (seconds) => `남은 오차: 마지막 ${sixDigits(seconds)}초의 최댓값`;
 /** @param {number} seconds */
 export const lastText = (seconds) => `마지막 ${sixDigits(seconds)} s`;
-/** @param {number} seconds */
-export const captionText = (seconds) => `마지막 ${sixDigits(seconds)}초의 최댓값. 회색: 외란 없음`;
+/** @param {Summary} summary */
+export const captionText = ({ seconds, disturbed }) =>
+  `마지막 ${sixDigits(seconds)}초의 최댓값${disturbed ? '. 작은 글씨: 외란 없음' : ''}`;
 
 export const legend = {
   drive: '이 주행',

@@ -47,7 +47,7 @@ export const rowName = (name, count) =>
 /** @param {number} unseen @param {number} own The starts of the experiment. */
 export const columnsOf = (unseen, own) => [
   'gains evolved on …',
-  'trained on',
+  'arrives, trained on',
   `arrives, of ${whole(unseen)} never seen`,
   'mean J',
   own === 1 ? 'J from start' : `J from ${own} starts`,

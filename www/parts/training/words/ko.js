@@ -41,7 +41,7 @@ export const rowName = (name, count) =>
 /** @param {number} unseen @param {number} own The starts of the experiment. */
 export const columnsOf = (unseen, own) => [
   '진화에 쓴 출발점',
-  '학습한 곳',
+  '학습한 곳에서 도착',
   `처음 보는 ${grouped(unseen)}개 중 도착`,
   '평균 J',
   own === 1 ? '출발점 J' : `출발점 ${own}개 J`,
