@@ -47,11 +47,7 @@ export function axesOf({ grid, size }) {
   const whole = grid.x.to - grid.x.from;
   const half = whole / (fine - 1) / 2;
   /** @param {import('./grid.js').Grid['x']} range @param {[number, number]} pixels */
-  const axis = ({ from, to }, pixels) =>
-    scaleLinear()
-      .domain([from - half, to + half])
-      .range(pixels)
-      .clamp(false);
+  const axis = ({ from, to }, pixels) => scaleLinear([from - half, to + half], pixels);
   return {
     frame,
     side,
@@ -162,10 +158,10 @@ function drawMarks(context, axes, { grid, goal, starts, watched, run, cell: at, 
     drawDrives(context, axes, drives, lit);
     for (const start of starts) {
       if (start === watched) continue;
-      arrow(context, axes, start, { fill: light, line: dark, size: 9 });
+      arrow(context, axes, start, light, 9);
     }
-    arrow(context, axes, goal, { fill: light, line: dark, size: 12 });
-    arrow(context, axes, watched, { fill: dark, line: light, size: 11 });
+    arrow(context, axes, goal, light, 12);
+    arrow(context, axes, watched, dark, 11);
     const label = (/** @type {Posture} */ posture, /** @type {string} */ name) =>
       nameBeside(context, frame, name, Math.max(x(posture.x), frame.left), y(posture.y) + 14, 14);
     label(goal, words.goal);
@@ -210,10 +206,10 @@ function drawWay(context, { x, y }, run, wide, narrow) {
   strokeTwice(context, wide, narrow);
 }
 
-/** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Posture} posture @param {{ fill: string, line: string, size: number }} look */
-function arrow(context, { x, y }, posture, { fill, line, size }) {
+/** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Posture} posture @param {string} fill @param {number} size */
+function arrow(context, { x, y }, posture, fill, size) {
   kite(context, x(posture.x), y(posture.y), posture.theta, size);
-  strokeTwice(context, [fill === dark ? line : fill, 4], [fill === dark ? fill : line, 2]);
+  strokeTwice(context, [light, 4], [dark, 2]);
   context.fillStyle = fill;
   context.fill();
 }
