@@ -129,11 +129,11 @@ function createEvents({ store, actions }, training, rowsOf) {
     if (!(await training.evolve())) return;
     // The newest gains drive, unless those of somebody else were chosen.
     const { chosen, evolved } = trainingSlice.of(store.get());
-    const isFree = chosen === null || chosen === led;
-    const next = isFree ? (usual ?? (evolved && furthestOf(evolved.results))) : chosen;
+    const isUnchosen = chosen === null || chosen === led;
+    const next = isUnchosen ? (usual ?? (evolved && furthestOf(evolved.results))) : chosen;
     if (store.get().page !== 'training' || !next || !isSet(next)) return;
     choose(next);
-    if (isFree && !usual) led = next;
+    if (isUnchosen && !usual) led = next;
   };
 
   /** Somebody chooses a row. @param {RowName} name */
@@ -219,7 +219,6 @@ function sight(state, rows, titles, readout, { choose, evolve, spread: onSpread,
     changes.length > 0 ? words.outOfDate(changes) : '',
   ].filter((text) => text !== '');
   const follows = hasMovingReference(experiment);
-  const ep = rows.find(({ name }) => name === 'paper-ep');
   return html`
     <div class="heading">
       <h2 id="training-title">${texts.trainingTitle}</h2>
@@ -236,23 +235,7 @@ function sight(state, rows, titles, readout, { choose, evolve, spread: onSpread,
       <progress id="training-progress" max="1" class=${runs ? '' : 'visually-hidden'}
         aria-label=${texts.trainingProgress} .value=${progress ?? 0}></progress>
     </div>
-    <p id="training-finding" class=${changes.length > 0 ? 'training-finding old' : 'training-finding'} aria-live=${evolved || runs ? 'polite' : 'off'}>${
-      evolved
-        ? hasMovingReference(evolved.experiment)
-          ? words.followed(evolved)
-          : spread
-            ? words.spreadText(spread, unseenCount, evolved.results.one.training.starts.length)
-            : words.lesson(evolved)
-        : follows
-          ? words.tracking
-          : !ep
-            ? words.invitation(experiment.starts.length)
-            : ep.result
-              ? words.question(ep.result)
-              : message
-                ? ''
-                : words.driving
-    }</p>
+    <p id="training-finding" class=${changes.length > 0 ? 'training-finding old' : 'training-finding'} aria-live=${evolved || runs ? 'polite' : 'off'}>${findingOf(state, rows)}</p>
     ${tableOf(rows, spread, chosenOf(state), { unseen: unseenCount, own: experiment.starts.length, follows }, choose)}
     <div class="training-pictures picture" data-picture="training" data-name=${words.texts.trainingPicture}>
       <p id="training-seen-title">${titles[0]}</p>
@@ -266,6 +249,22 @@ function sight(state, rows, titles, readout, { choose, evolve, spread: onSpread,
       unseenRadius,
       experiment.horizon,
     )}</p>`;
+}
+
+/** What was found, or what there is to find out. @param {State} state @param {readonly Row[]} rows */
+function findingOf(state, rows) {
+  const { experiment } = state;
+  const { evolved, spread, message } = trainingSlice.of(state);
+  if (evolved) {
+    if (hasMovingReference(evolved.experiment)) return words.followed(evolved);
+    if (!spread) return words.lesson(evolved);
+    return words.spreadText(spread, unseenCount, evolved.results.one.training.starts.length);
+  }
+  if (hasMovingReference(experiment)) return words.tracking;
+  const ep = rows.find(({ name }) => name === 'paper-ep');
+  if (!ep) return words.invitation(experiment.starts.length);
+  if (ep.result) return words.question(ep.result);
+  return message ? '' : words.driving;
 }
 
 /** @param {keyof typeof signs} name */
