@@ -5,6 +5,7 @@ import { html, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { watch } from '../kit/memo.js';
 import { options, selectAll, styled, unless, valueIn } from '../kit/templates.js';
+import { scrubStep } from '../run/clock.js';
 import { nextRest, paces } from '../run/pace.js';
 import { lab as strings, texts } from '../words/index.js';
 
@@ -38,7 +39,7 @@ function robotBar({ time, finalTime, playing, speed }, actions) {
       ${options(strings.speeds, speed)}
     </select>
     <span id="clock" class="clock">${text}</span>
-    <input id="scrub" type="range" min="0" step="0.01" aria-label=${texts.scrub} aria-valuetext=${text}
+    <input id="scrub" type="range" min="0" step=${scrubStep} aria-label=${texts.scrub} aria-valuetext=${text}
       .max=${String(finalTime)} .value=${live(String(time))} ${filled(finalTime > 0 ? time / finalTime : 1)}
       @input=${(/** @type {Event} */ event) => actions.scrub(Number(valueIn(event)))}>`;
 }

@@ -3,6 +3,9 @@
 
 const holdSeconds = 0.8;
 
+/** From one place of the clock's slider to the next, in seconds. */
+export const scrubStep = 0.01;
+
 /**
  * The robot's clock some real seconds later. At the end it stops, or waits a moment and starts again.
  * @param {RobotClock} clock @param {number} seconds @param {number} speed @param {number} finalTime @param {boolean} loops

@@ -4,7 +4,7 @@
 /** @import { Basis } from './basis.js' */
 import { isLost, messageOf } from '../../words/errors.js';
 import { lab as words } from '../../words/index.js';
-import { advanceRobot, atEnd, fromStart } from '../clock.js';
+import { advanceRobot, atEnd, fromStart, scrubStep } from '../clock.js';
 import { gainsOf } from '../drivers.js';
 import { noErrors } from '../first.js';
 import { afterHand } from '../undo.js';
@@ -80,9 +80,6 @@ export function createDrive({ engine, store, paper, attempt, shown, driveAgain }
     },
   };
 }
-
-/** In seconds. */
-export const scrubStep = 0.01;
 
 /** @param {Basis} basis */
 export function createClock({ store, finalTime }) {
