@@ -33,16 +33,17 @@ export function createStore(initial, onChange) {
  */
 export function createSlice(name, first, passing = [], lasting = [], asked = () => ({})) {
   const of = (/** @type {Pick<State, 'slices'>} */ { slices }) => /** @type {S} */ (slices[name] ?? first);
+  const update = (/** @type {Store} */ store, /** @type {Partial<S>} */ patch) =>
+    store.keep(name, { ...of(store.get()), ...patch });
   return {
     name,
     first,
     of,
-    /** @param {Store} store @param {Partial<S>} patch */
-    update: (store, patch) => store.keep(name, { ...of(store.get()), ...patch }),
+    update,
     /** The slice as it is now, and what changes it, for who has the one store. @param {Store} store */
     at: (store) => ({
       now: () => of(store.get()),
-      update: (/** @type {Partial<S>} */ patch) => store.keep(name, { ...of(store.get()), ...patch }),
+      update: (/** @type {Partial<S>} */ patch) => update(store, patch),
     }),
     /** @param {Pick<State, 'slices'>} state @returns {Partial<S>} */
     lasting: (state) => ({
