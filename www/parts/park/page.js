@@ -21,7 +21,7 @@ import { createTask, inLab, linkInLab, parkedOf } from './task.js';
 import words from './words/index.js';
 
 /** The step of the lesson that makes one generation by hand. */
-export const howStep = 7;
+const howStep = 7;
 
 /** @param {Tools} tools @returns {Page} */
 export function createPage(tools) {
