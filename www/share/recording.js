@@ -10,7 +10,7 @@ const settings = /** @type {const} */ ([
 ]);
 
 /** What is drawn, as marks. @param {import('../kit/canvas.js').Paint} paint @returns {Mark[]} */
-export function marksOf(paint) {
+export function drawnMarks(paint) {
   const recorder = new Recorder();
   paint(/** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (recorder)));
   return recorder.marks;

@@ -2,7 +2,7 @@
 /** @import { Clip, Font, Look, Mark, Stroke } from './marks.js' */
 import { pictureOn } from '../kit/canvas.js';
 import { Outline } from './marks.js';
-import { marksOf as marksDrawn, measured } from './recording.js';
+import { drawnMarks, measured } from './recording.js';
 
 /** @typedef {{ left: number, top: number, width: number, height: number }} Box */
 /** @typedef {{ x: number, y: number, alpha: number }} Place Pixels of the picture's corner, and how opaque what is around is. */
@@ -48,7 +48,7 @@ function canvasMarks(canvas, { x, y, alpha }) {
   const { size, paint } = picture;
   const matrix = new DOMMatrix().translate(left - x, top - y).scale(width / size.width, height / size.height);
   const inPicture = (/** @type {DOMMatrix} */ own) => matrix.multiply(own);
-  return marksDrawn(paint).map((mark) => ({
+  return drawnMarks(paint).map((mark) => ({
     ...mark,
     matrix: inPicture(mark.matrix),
     clips: mark.clips.map(({ d, matrix: own }) => ({ d, matrix: inPicture(own) })),
