@@ -174,9 +174,9 @@ function createNews({ store, seen, answersOf }, send) {
   const tellWork = (isTold) => {
     const state = store.get();
     const { driver, work } = state;
-    const { isComputing, failure: refused } = seen();
+    const { isComputing, failure } = seen();
     // What is still computed is told once it is there.
-    const isThere = !isComputing && refused === null;
+    const isThere = !isComputing && failure === null;
     if ((isThere || !isTold) && drivesOther(driver, work.tries) && isTold)
       send({ type: 'drive', driver, ...driveOf(seen()), drives: drivesOf(state) });
     const answers = answersOf(state);
