@@ -115,6 +115,7 @@ function hold() {
   const { setTimeout: begin, clearTimeout: end } = window;
   /** @type {Map<number, () => void>} */
   const held = new Map();
+  let last = 0;
   Object.assign(window, {
     setTimeout: (
       /** @type {() => void} */ act,
@@ -122,8 +123,9 @@ function hold() {
       /** @type {unknown[]} */ ...given
     ) => {
       if (wait !== 1000) return begin(act, wait, ...given);
-      held.set(-1 - held.size, act);
-      return -held.size;
+      last -= 1;
+      held.set(last, act);
+      return last;
     },
     clearTimeout: (/** @type {number} */ timer) => (held.delete(timer) ? undefined : end(timer)),
     settle: () => {
