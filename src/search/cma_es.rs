@@ -79,15 +79,21 @@ const N: f64 = 3.0;
 /// What |N(0, I)| is in the mean: √n (1 − 1/(4n) + 1/(21n²)).
 const EXPECTED_LENGTH: f64 = 1.732_050_807_568_877_2 * (1.0 - 1.0 / 12.0 + 1.0 / 189.0);
 
-/// The rates that follow from n and λ.
+/// The rates that follow from n and λ, by the tutorial's names.
 struct Rates {
-    /// The weights of the better half, which sum up to 1.
+    /// w_i of the better half, which sum up to 1.
     weights: Vec<f64>,
+    /// μ_eff = 1 / Σ w_i²
     effective: f64,
+    /// c_σ, of p_σ.
     length: f64,
+    /// d_σ, of σ.
     damping: f64,
+    /// c_c, of p_c.
     shape: f64,
+    /// c_1, of the covariance by p_c.
     rank_one: f64,
+    /// c_μ, of the covariance by the steps.
     rank_mu: f64,
 }
 
