@@ -2,7 +2,7 @@
 
 use crate::robot::Gains;
 use crate::run::{Outcome, Sample, Setting, check_bytes};
-use crate::schema::{Columns, InvalidInput, Result, Text, told};
+use crate::schema::{Columns, InvalidInput, Plain, Result, Text, told};
 use crate::theory::{ErrorSizes, theorem_2_sets};
 
 /// The parts of the error at one sample of a run, and how far the sets reach there.
@@ -33,7 +33,7 @@ told! {
 }
 
 /// The columns of that table.
-const COLUMNS: usize = 5;
+const COLUMNS: usize = Columns::<PartsSample>::KEYS.len();
 
 /// Refuses to tell the parts of the error of more runs than fit in the memory.
 pub fn check_error_parts(setting: &Setting) -> Result<()> {
