@@ -46,8 +46,13 @@ pub(crate) fn stream(seed: u32, purpose: Purpose, index: u32) -> Xoshiro256PlusP
     if later == 0 {
         return Xoshiro256PlusPlus::seed_from_u64(word);
     }
+    begun(state(word, later))
+}
+
+/// The stream that begins in this state.
+fn begun(state: [u64; 4]) -> Xoshiro256PlusPlus {
     let mut bytes = [0; 32];
-    for (place, number) in bytes.chunks_exact_mut(8).zip(state(word, later)) {
+    for (place, number) in bytes.chunks_exact_mut(8).zip(state) {
         place.copy_from_slice(&number.to_le_bytes());
     }
     Xoshiro256PlusPlus::from_seed(bytes)
@@ -125,12 +130,7 @@ mod tests {
     /// A generator that is begun with one word begins in the state of that word.
     #[test]
     fn the_later_purposes_begin_beside_the_state_of_their_first_word() {
-        let mut bytes = [0; 32];
-        for (place, number) in bytes.chunks_exact_mut(8).zip(state(42, 0)) {
-            place.copy_from_slice(&number.to_le_bytes());
-        }
-        let begun = Xoshiro256PlusPlus::from_seed(bytes);
-        assert_eq!(begun, Xoshiro256PlusPlus::seed_from_u64(42));
+        assert_eq!(begun(state(42, 0)), Xoshiro256PlusPlus::seed_from_u64(42));
         assert_ne!(stream(1, Purpose::Steps, 0), stream(1, Purpose::Partners, 0));
     }
 }
