@@ -44,9 +44,9 @@ pub struct Sample {
     pub velocity: Velocity,
     /// The error posture (3).
     pub error: ErrorPosture,
-    /// V of the paper.
+    /// V = ½ x_e² + ½ y_e² + (1 − cos θ_e) of the paper, in m².
     pub lyapunov: f64,
-    /// V̇ with the applied velocity.
+    /// V̇ with the applied velocity, in m²/s.
     pub lyapunov_rate: f64,
     /// How the run ended, if it has.
     pub outcome: Option<Outcome>,

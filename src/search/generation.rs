@@ -135,8 +135,8 @@ impl Brood {
     /// Generation 0, of which all survive.
     pub(super) fn founded(self) -> GenerationRecord {
         let ranking = by_cost(&self.offspring);
-        let (count, none) = (self.offspring.len(), Vec::new());
-        let founders = Self { parents: self.offspring, offspring: none, ..self };
+        let count = self.offspring.len();
+        let founders = Self { parents: self.offspring, offspring: Vec::new(), ..self };
         founders.ranked(ranking, count, Tournament::default())
     }
 
