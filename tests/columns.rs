@@ -47,10 +47,15 @@ fn of_a_run_its_samples_and_how_it_ended() {
         let told = written(&setting.run(EP_GAINS, start));
         assert_column(&told, "/time", &samples, |sample| sample.time);
         assert_column(&told, "/x", &samples, |sample| sample.posture.x);
+        assert_column(&told, "/y", &samples, |sample| sample.posture.y);
         assert_column(&told, "/theta", &samples, |sample| sample.posture.theta);
+        assert_column(&told, "/linear", &samples, |sample| sample.velocity.linear);
         assert_column(&told, "/angular", &samples, |sample| sample.velocity.angular);
         assert_column(&told, "/commandLinear", &samples, |sample| sample.command.linear);
+        assert_column(&told, "/commandAngular", &samples, |sample| sample.command.angular);
+        assert_column(&told, "/referenceX", &samples, |sample| sample.reference.x);
         assert_column(&told, "/referenceY", &samples, |sample| sample.reference.y);
+        assert_column(&told, "/referenceTheta", &samples, |sample| sample.reference.theta);
         let last = samples.last().expect("a sample");
         assert_eq!(told["arrived"], json!(last.outcome == Some(Outcome::Arrived)));
         assert_eq!(told["finalTime"], json!(last.time));
