@@ -28,6 +28,8 @@ export function createAttempts(update) {
             if (running === own) say({ progress });
           },
         });
+        // It may have been done just as it was given up.
+        own.signal.throwIfAborted();
         update({ ...found, progress: null });
         return true;
       } catch (error) {
