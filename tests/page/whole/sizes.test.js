@@ -141,6 +141,33 @@ pageTest('on a tablet held upright all of a part is in sight at once', async (pa
   }
 });
 
+pageTest('on a tablet held upright what is pressed stays under the finger, whoever drives', async (page) => {
+  const tops = () =>
+    page.evaluate(() =>
+      ['drives', 'run', 'landscape-map', 'robustness-map'].flatMap((id) => {
+        const element = document.getElementById(id);
+        return element?.checkVisibility() ? [`${id} ${Math.round(element.getBoundingClientRect().top)}`] : [];
+      }),
+    );
+  for (const [width, height] of /** @type {const} */ ([
+    [820, 1180],
+    [768, 1024],
+  ])) {
+    await page.resize(width, height);
+    for (const part of ['lab', 'landscape', 'robustness']) {
+      await page.open(`#${part}`);
+      await excess(page);
+      const before = await tops();
+      assert.ok(before.length >= 2, `${before}`);
+      for (const driver of ['paper-ep', 'hand', 'paper-arbitrary', 'evolved']) {
+        await page.click(`#drives-${driver}`);
+        await excess(page);
+        assert.deepEqual(await tops(), before, `${part} at ${width}, ${driver}`);
+      }
+    }
+  }
+});
+
 pageTest('the links to the parts and the plane stay where they are from part to part', async (page) => {
   for (const link of ['#lab', '#lab&v=1&lang=ko']) {
     await page.open(link);

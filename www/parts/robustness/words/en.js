@@ -24,7 +24,7 @@ export const quantities = {
 export const headingLegend = 'Headings of the starts';
 /** @type {import('../../../kit/segmented.js').Choices<'all' | 'one'>} */
 export const headingChoices = {
-  all: { text: 'All headings', hint: 'All headings together' },
+  all: { text: 'All', hint: 'All headings together' },
   one: { text: 'One heading', hint: 'One heading, chosen on the dial' },
 };
 

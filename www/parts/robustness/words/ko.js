@@ -24,7 +24,7 @@ export const quantities = {
 export const headingLegend = '출발 방향각';
 /** @type {import('../../../kit/segmented.js').Choices<'all' | 'one'>} */
 export const headingChoices = {
-  all: { text: '모든 방향각', hint: '모든 방향각을 함께' },
+  all: { text: '전체', hint: '모든 방향각을 함께' },
   one: { text: '방향각 하나', hint: '다이얼에서 고른 방향각 하나' },
 };
 
