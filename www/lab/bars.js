@@ -91,7 +91,8 @@ function evolutionBar(model, actions, { onKind, onValue }) {
   const end = Math.max(1, newest);
   return html`
     <fieldset id="evolution-clock" class="bar" aria-label=${texts.evolutionClock}>
-      <button id="run" type="button" class=${isMain ? 'primary' : ''} @click=${() => actions.toggleEvolution()}>${evolving ? strings.pauseEvolution : strings.run}</button>
+      <button id="run" type="button" class=${isMain ? 'primary' : ''}
+        data-other=${evolving ? strings.run : strings.pauseEvolution} @click=${() => actions.toggleEvolution()}>${evolving ? strings.pauseEvolution : strings.run}</button>
       <button id="one-back" type="button" class="icon" aria-label=${texts.oneBack} aria-disabled=${String(timeline === 0)}
         @click=${unless(timeline === 0, actions.oneBack)}>
         <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d="M12 2L2 8l10 6z"/></svg>

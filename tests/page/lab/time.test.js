@@ -88,7 +88,7 @@ pageTest('evolution stops at the first J below the one that is asked for', async
   await rests(page);
   assert.deepEqual(await readEvolution(page), seedOne(generation));
   const { cost } = evolution.statistics().best;
-  const said = `Generation ${generation}: J ${cost.toFixed(3)} is below 7.9. Run goes on.`;
+  const said = `Paused at generation ${generation}: J ${cost.toFixed(3)} is below 7.9.`;
   assert.equal(await page.text('#evolution-note'), said);
   await choose(page, 'pace', 'fastest');
   await page.click('#run');

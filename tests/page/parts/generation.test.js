@@ -226,6 +226,18 @@ pageTest(
   },
 );
 
+pageTest('one button leads on: to breed, and then to the next phase', async (page) => {
+  const leading = () =>
+    page.evaluate(() =>
+      [...document.querySelectorAll('.primary')].filter((one) => one.checkVisibility()).map(({ id }) => id),
+    );
+  await openAt(page, 0);
+  assert.deepEqual(await leading(), ['generation-begin']);
+  await page.click('#generation-begin');
+  await page.until('generation 1', () => document.getElementById('generation-begin')?.hidden);
+  assert.deepEqual(await leading(), ['generation-next']);
+});
+
 pageTest('a press in a column chooses who stands there, however high', async (page) => {
   await openAt(page, 3);
   await go(page, 'parents');

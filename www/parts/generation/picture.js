@@ -161,8 +161,8 @@ function pressed({ model, places, twins }, x, y) {
     order.reduce((a, b) => (distance(b, height) < distance(a, height) ? b : a));
   const hit = nearest(1);
   if (distance(hit, 1) < hitRadius) return hit;
-  const below = nearest(0.01);
-  return distance(below, 0) < columnReach ? below : null;
+  const inColumn = nearest(0.01);
+  return distance(inColumn, 0) < columnReach ? inColumn : null;
 }
 
 /** For who does not see it. @param {HTMLElement} root @param {PictureModel} model */

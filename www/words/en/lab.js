@@ -251,7 +251,7 @@ export const restText = (generation) => `Paused at generation ${generation}. Pre
 
 /** @param {number} value Below which J was to come. @param {Statistics} statistics */
 export const reachedText = (value, { generation, best }) =>
-  `Generation ${generation}: J ${textBelow(best.cost, value, costText)} is below ${sixDigits(value)}. Run goes on.`;
+  `Paused at generation ${generation}: J ${textBelow(best.cost, value, costText)} is below ${sixDigits(value)}.`;
 
 /** @param {Statistics} statistics */
 export const announcement = (statistics) =>

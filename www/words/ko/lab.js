@@ -241,7 +241,7 @@ export const restText = (generation) =>
 
 /** @param {number} value Below which J was to come. @param {Statistics} statistics */
 export const reachedText = (value, { generation, best }) =>
-  `${generation}세대: 최소 J ${textBelow(best.cost, value, costText)}, ${sixDigits(value)} 미만입니다. “진화 시작”으로 이어집니다.`;
+  `${generation}세대에서 멈추었습니다. 최소 J ${textBelow(best.cost, value, costText)} < ${sixDigits(value)}`;
 
 /** @param {Statistics} statistics */
 export const announcement = (statistics) =>

@@ -43,24 +43,21 @@ export const failed = (message, kept) =>
 export const axisUnit = (part) => (unitOf[part] ? ` in ${unitOf[part]}` : '');
 
 /** @param {number} starts */
-export const startsText = (starts) => `${starts} other ${starts === 1 ? 'start' : 'starts'}`;
+const startsText = (starts) => `${starts} other ${starts === 1 ? 'start' : 'starts'}`;
 /** Of all that was measured. @param {number} starts */
-export const othersColumns = (starts) => [
-  `median of ${startsText(starts)}`,
-  `largest of ${starts === 1 ? 'it' : 'them'}`,
-];
+export const othersColumns = (starts) => [`median of ${startsText(starts)}`, 'largest of them'];
 /** @param {PartName} part */
 export const measureText = (part) => `${formulaText(part)}${axisUnit(part)}`;
 /** @param {PartName} part */
 export const calmText = (part) => `${measureText(part)}, undisturbed`;
 /** @param {number} seconds */
 export const tableCaption = (seconds) =>
-  `What remains of the error: the largest of the last ${sixDigits(seconds)} s`;
+  `${texts.disturbancePicture}: the largest of the ${lastText(seconds)}`;
 /** @param {number} seconds */
 export const lastText = (seconds) => `last ${sixDigits(seconds)} s`;
 /** @param {Summary} summary */
 export const captionText = ({ seconds, disturbed }) =>
-  `largest of the last ${sixDigits(seconds)} s${disturbed ? '; small: undisturbed' : ''}`;
+  `largest of the ${lastText(seconds)}${disturbed ? '; small: undisturbed' : ''}`;
 
 export const legend = {
   drive: 'this drive',

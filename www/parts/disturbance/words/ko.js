@@ -15,7 +15,7 @@ export const texts = {
   remainsPart: '오차',
   remainsDrive: '이 주행',
   remainsSet: '집합',
-  remainsInside: '안에 남은 출발점',
+  remainsInside: '안에 남은 다른 출발점',
   remainsInsideHint: '이 시간 동안 오차가 자기 집합의 최대 범위를 벗어나지 않은 출발점의 수',
 };
 
@@ -40,7 +40,7 @@ export const failed = (message, kept) =>
   `${kept ? '마지막으로 계산된 결과입니다' : '계산하지 못했습니다'}: ${message}`;
 
 /** @param {number} starts */
-export const startsText = (starts) => `다른 출발점 ${starts}개`;
+const startsText = (starts) => `다른 출발점 ${starts}개`;
 /** Of all that was measured. @param {number} starts */
 export const othersColumns = (starts) => [`${startsText(starts)}의 중앙값`, '그중 최댓값'];
 /** @param {PartName} part */
@@ -104,10 +104,10 @@ function driveText(summary) {
 function othersText(summary) {
   const { calm, starts, allInside, worst, disturbed } = summary;
   const most = `남는 최대 오차는 ${formulaText(worst)} ${amount(worst, calm[worst].largest)}입니다.`;
-  if (!isPromised(summary)) return `다른 출발점 ${starts}개에서 ${disturbed ? '외란이 없어도 ' : ''}${most}`;
+  if (!isPromised(summary)) return `${startsText(starts)}에서 ${disturbed ? '외란이 없어도 ' : ''}${most}`;
   const others = disturbed
-    ? `다른 출발점 ${starts}개 중 ${allInside}개가 세 집합의 최대 범위를 벗어나지 않습니다. 외란이 없어도 ${most}`
-    : `다른 출발점 ${starts}개에서 ${most}`;
+    ? `${startsText(starts)} 중 ${allInside}개가 세 집합의 최대 범위를 벗어나지 않습니다. 외란이 없어도 ${most}`
+    : `${startsText(starts)}에서 ${most}`;
   return `${others} 정리는 얼마나 빨리 줄어드는지 말하지 않으며, 제한과 샘플링도 고려하지 않습니다.`;
 }
 
