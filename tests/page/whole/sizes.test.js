@@ -14,6 +14,12 @@ const sizes = /** @type {const} */ ([
   [1024, 768],
 ]);
 
+/** Held upright. */
+const tablets = /** @type {const} */ ([
+  [820, 1180],
+  [768, 1024],
+]);
+
 /** How far the page can be scrolled, to the right and down, once it has its new size. @param {Page} page */
 const excess = (page) =>
   page.evaluate(async () => {
@@ -113,10 +119,7 @@ pageTest('on a large screen the plane has the height that is there', async (page
 });
 
 pageTest('on a tablet held upright all of a part is in sight at once', async (page) => {
-  for (const [width, height] of /** @type {const} */ ([
-    [820, 1180],
-    [768, 1024],
-  ])) {
+  for (const [width, height] of tablets) {
     await page.resize(width, height);
     for (const [part, ...ids] of [
       ['lab', 'plane', 'cost', 'curve', 'run', 'gains'],
@@ -154,10 +157,7 @@ pageTest('on a tablet held upright what is pressed stays under the finger, whoev
         return element?.checkVisibility() ? [`${id} ${Math.round(element.getBoundingClientRect().top)}`] : [];
       }),
     );
-  for (const [width, height] of /** @type {const} */ ([
-    [820, 1180],
-    [768, 1024],
-  ])) {
+  for (const [width, height] of tablets) {
     await page.resize(width, height);
     for (const part of ['lab', 'landscape', 'robustness']) {
       await page.open(`#${part}`);
