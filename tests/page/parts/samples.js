@@ -9,6 +9,7 @@ import { pageNames } from '../../../www/parts/parts.js';
  * @property {readonly string[]} [more] What looks much the same, which fewer tests open.
  * @property {object} [slice] What it keeps, so that none of its keys is left out of a link.
  * @property {Readonly<Record<string, string>>} [tables] By what a link says beside the part, the id of what opens a table.
+ * @property {readonly { lead: (page: Page) => Promise<unknown>, id: string }[]} [done] How one comes to what is there only when work is done, and one control of it.
  * @property {readonly string[]} [free] The controls that change nothing that an exercise could lock.
  * @property {readonly { setUp?: (page: Page) => Promise<unknown>, pictures: readonly Pictured[] }[]} pictures What it offers as files, after what.
  */

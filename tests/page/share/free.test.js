@@ -78,3 +78,15 @@ pageTest('where all is locked no control looks free that is not', async (page) =
   const idle = Object.keys(samples).filter((name) => samples[name].free?.every((id) => !worked.has(id)));
   assert.deepEqual(idle, [], 'of each part something that is free was pressed');
 });
+
+pageTest('nor where work is done, which alone is not locked', async (page) => {
+  const locked = groupNames.filter((name) => name !== 'run').join(',');
+  for (const [part, { done = [] }] of Object.entries(samples))
+    for (const { lead, id } of done) {
+      await page.open(`#${part}&lock=${locked}&task=Stay`);
+      await lead(page);
+      const { found, own } = await page.evaluate(workAll, part);
+      assert.deepEqual(found, [], part);
+      assert.ok(own.includes(id), `#${id} was pressed`);
+    }
+});

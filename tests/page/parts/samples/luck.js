@@ -2,6 +2,24 @@
 import { runContest } from '../contest-page.js';
 import { plane, textOf } from '../pictured.js';
 
+/** @typedef {import('../samples.js').Page} Page */
+
+/** @param {Page} page */
+async function runSeeds(page) {
+  await page.click('#luck-count option[value="20"]');
+  await page.click('#luck-generations option[value="50"]');
+  await page.click('#luck-run');
+  await textOf(page, 'luck-finding', 'After 50 generations');
+}
+
+/** @param {Page} page */
+async function runSmallContest(page) {
+  await page.click('#luck-view label:last-child');
+  await page.click('#contest-seeds option[value="15"]');
+  await page.click('#contest-budget option[value="1000"]');
+  await runContest(page);
+}
+
 /** @type {import('../samples.js').Sample} */
 export const sample = {
   more: ['luck=contest'],
@@ -36,14 +54,13 @@ export const sample = {
     'luck-view-contest',
     'luck-view-seeds',
   ],
+  done: [
+    { lead: runSeeds, id: 'luck-log' },
+    { lead: runSmallContest, id: 'contest-only' },
+  ],
   pictures: [
     {
-      setUp: async (page) => {
-        await page.click('#luck-count option[value="20"]');
-        await page.click('#luck-generations option[value="50"]');
-        await page.click('#luck-run');
-        await textOf(page, 'luck-finding', 'After 50 generations');
-      },
+      setUp: runSeeds,
       pictures: [
         plane,
         {
@@ -56,12 +73,7 @@ export const sample = {
       ],
     },
     {
-      setUp: async (page) => {
-        await page.click('#luck-view label:last-child');
-        await page.click('#contest-seeds option[value="15"]');
-        await page.click('#contest-budget option[value="1000"]');
-        await runContest(page);
-      },
+      setUp: runSmallContest,
       pictures: [
         plane,
         { name: 'The contest', key: 'contest', texts: ['target', 'drives', '100 %'], lines: 12, apart: true },

@@ -5,6 +5,16 @@ import { plane, textOf } from '../pictured.js';
 export const sample = {
   slice: { generations: 50 },
   free: ['training-generations'],
+  done: [
+    {
+      lead: async (page) => {
+        await page.click('#training-generations option[value="50"]');
+        await page.click('#training-evolve');
+        await textOf(page, 'training-evolve', 'Evolve again');
+      },
+      id: 'training-seeds',
+    },
+  ],
   pictures: [
     {
       setUp: (page) => textOf(page, 'training-seen-title', 'From the start:'),
