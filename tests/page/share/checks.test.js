@@ -101,24 +101,7 @@ engineTest(
     await checked(page);
     assertAllPassed(await seen(page));
     await tabTo(page, 'checks-list');
-    await page.evaluate(() => {
-      /** @type {any} */ (window).pressed = 'no key has come';
-      addEventListener('keydown', ({ key, target, defaultPrevented }) => {
-        const { id, scrollHeight, clientHeight } = /** @type {Element} */ (target);
-        Object.assign(window, {
-          pressed: `${key} at ${id}, ${scrollHeight} of ${clientHeight}, ${defaultPrevented}`,
-        });
-      });
-    });
     await page.press(Key.END);
-    const scrolled = page.until(
-      'the key scrolls the list',
-      () => document.getElementById('checks-list')?.scrollTop,
-    );
-    // Seen twice on a busy machine that it does not, the cause is not known: this says more of it.
-    await scrolled.catch(async ({ message }) =>
-      assert.fail(`${message}: ${await page.evaluate(() => /** @type {any} */ (window).pressed)}`),
-    );
     await page.until('the last check is in sight', () => {
       const list = /** @type {HTMLElement} */ (document.getElementById('checks-list'));
       return list.scrollTop + list.clientHeight > list.scrollHeight - 2;

@@ -1,0 +1,27 @@
+import assert from 'node:assert/strict';
+import { pageNames } from '../../../www/parts/parts.js';
+import { engineTest } from '../harness/browsers.js';
+
+engineTest('on a telephone held sideways the robots stay beside all that is scrolled', async (page) => {
+  await page.resize(844, 340);
+  await page.open('#lab');
+  for (const part of pageNames.filter((name) => name !== 'park')) {
+    await page.click(`#page-${part}`);
+    await page.until(`${part} is open`, (name) => document.body.dataset.open === name, part);
+    const { planeHeight, ...rest } = await page.evaluate(async () => {
+      scrollTo({ top: document.documentElement.scrollHeight, behavior: 'instant' });
+      await new Promise((resolve) => requestAnimationFrame(resolve));
+      const boxOf = (/** @type {string} */ selector) =>
+        /** @type {Element} */ (document.querySelector(selector)).getBoundingClientRect();
+      const [robots, readings, plane] = ['.robot', '.readings', '#plane'].map(boxOf);
+      return {
+        isWhole: robots.top >= 0 && robots.bottom <= innerHeight,
+        isBeside: robots.right <= readings.left,
+        isTooWide: document.documentElement.scrollWidth > innerWidth,
+        planeHeight: plane.height,
+      };
+    });
+    assert.deepEqual(rest, { isWhole: true, isBeside: true, isTooWide: false }, part);
+    assert.ok(planeHeight >= 240, `${part}: a plane of ${planeHeight} px`);
+  }
+});
