@@ -1,11 +1,11 @@
-// The link to the same page in the other language.
+// The link to the same page in another language.
 /** @import { Language } from '../words/language.js' */
 import { byId } from '../kit/elements.js';
-import { language, languageNames, languages } from '../words/language.js';
+import { language, languageAfter, languages } from '../words/language.js';
 
 /** @param {(language: Language) => string} linkIn The link of what is on screen. */
 export function createLanguageSwitch(linkIn) {
-  const other = languageNames.find((name) => name !== language) ?? language;
+  const other = languageAfter(language);
   /** @type {HTMLAnchorElement} */
   const link = byId('language');
   Object.assign(link, { textContent: languages[other], lang: other, hreflang: other, hidden: false });

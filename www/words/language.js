@@ -7,6 +7,10 @@ export const languages = { en: 'English', ko: '한국어' };
 
 export const languageNames = /** @type {readonly Language[]} */ (Object.keys(languages));
 
+/** From each to the next, so that one comes to all. @param {Language} name */
+export const languageAfter = (name) =>
+  languageNames[(languageNames.indexOf(name) + 1) % languageNames.length];
+
 /** The language of a link without one. */
 export const usualLanguage = 'en';
 

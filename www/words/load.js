@@ -1,15 +1,14 @@
-// The words of the page itself, in its language, which alone is loaded. Every language has the same words: the types demand it.
+// The words of the page itself, in its language, which alone is loaded.
+/** @import { Language } from './language.js' */
 import { picked } from './pick.js';
 
 /** @template T @typedef {import('./pick.js').Words<T>} Words */
-
 /** @template T @typedef {{ [Part in keyof T]: Words<T[Part]> }} Parts */
 
-/** Neither language has a word that the other lacks. @typedef {Parts<typeof import('./en/index.js')> & Parts<typeof import('./ko/index.js')>} All */
+/** @typedef {{ en: typeof import('./en/index.js'), ko: typeof import('./ko/index.js') }} Spoken */
+/** No language has a word that another lacks. @typedef {import('./pick.js').Each<{ [L in Language]: Parts<Spoken[L]> }[Language]>} All */
 
-export const load = picked(
-  /** @type {{ en: () => Promise<any>, ko: () => Promise<any> }} */ ({
-    en: () => import('./en/index.js'),
-    ko: () => import('./ko/index.js'),
-  }),
-);
+/** @type {{ [L in Language]: () => Promise<All> }} */
+const languages = { en: () => import('./en/index.js'), ko: () => import('./ko/index.js') };
+
+export const load = picked(/** @type {{ [L in Language]: () => Promise<any> }} */ (languages));

@@ -7,6 +7,7 @@ import { language } from './language.js';
  * @typedef {T extends string ? string : T extends (...args: infer A) => infer R ? (...args: A) => Alike<R> : T} Alike
  */
 /** @template T @typedef {{ [Name in keyof T]: Alike<T[Name]> }} Words */
+/** What each of them is. @template U @typedef {(U extends any ? (one: U) => void : never) extends (one: infer I) => void ? I : never} Each */
 
 /**
  * The words of a room. Neither language has one that the other lacks.

@@ -1,4 +1,4 @@
-// Every word of the page in both languages: the common ones, and those that each part has in its own folder.
+// Every word of the page in each language: the common ones, and those that each part has in its own folder.
 import { readdirSync } from 'node:fs';
 import * as commonEnglish from '../../../www/words/en/index.js';
 import * as commonKorean from '../../../www/words/ko/index.js';
@@ -26,6 +26,9 @@ async function allIn(common, language) {
 
 export const en = await allIn(commonEnglish, 'en');
 export const ko = await allIn(commonKorean, 'ko');
+
+/** @satisfies {Record<import('../../../www/words/language.js').Language, unknown>} */
+export const inEach = { en, ko };
 
 /** Shorter ones are symbols and units. */
 export const latinWord = /[A-Za-z]{3,}/;

@@ -5,10 +5,10 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { pageNames } from '../../../www/parts/parts.js';
 import { said } from '../../../www/words/ko/messages.js';
-import { languageNames, languageOf } from '../../../www/words/language.js';
+import { languageAfter, languageNames, languageOf, usualLanguage } from '../../../www/words/language.js';
 import { experiment, wordFields } from '../harness/core.js';
 import { test } from '../harness/once.js';
-import { en, ko, latinWord, sameInBoth } from '../harness/words.js';
+import { en, inEach, ko, latinWord, sameInBoth } from '../harness/words.js';
 
 const source = fileURLToPath(new URL('../../../www/', import.meta.url));
 
@@ -72,21 +72,33 @@ test('what a Korean refusal demands has its large numbers in groups, and what wa
 });
 
 test('a J below the large one stands in one line with what it belongs to', () => {
-  for (const { lab } of [en, ko])
+  for (const { lab } of Object.values(inEach))
     for (const note of [lab.costNote(lab.driverName('paper-ep', 0, 'hand'), 7.935), lab.meanNote(2, 7.935)])
       assert.match(note, /[^ ]\u00a07\.935$/);
 });
 
-test('Korean has the words of English, and none of them is English', () => {
-  const [english, korean] = [en, ko].map((words) => new Map(textsOf(words, '')));
-  assert.deepEqual([...korean.keys()].sort(), [...english.keys()].sort());
+test('every language has the words of English, and none of them is English', () => {
+  const { en: usual, ...others } = inEach;
+  const english = new Map(textsOf(usual, ''));
   const kind = (/** @type {string | undefined} */ text) => text?.split(':')[0];
-  for (const [place, text] of english) {
-    assert.equal(kind(korean.get(place)), kind(text), place);
-    if (!text.startsWith('string: ') || isIdentifier(place)) continue;
-    const own = text.slice('string: '.length).replaceAll(sameInBoth, '');
-    if (latinWord.test(own)) assert.notEqual(korean.get(place), text, `${place} is English in Korean`);
+  for (const [language, words] of Object.entries(others)) {
+    const own = new Map(textsOf(words, ''));
+    assert.deepEqual([...own.keys()].sort(), [...english.keys()].sort(), language);
+    for (const [place, text] of english) {
+      assert.equal(kind(own.get(place)), kind(text), `${place} in ${language}`);
+      if (!text.startsWith('string: ') || isIdentifier(place)) continue;
+      const said = text.slice('string: '.length).replaceAll(sameInBoth, '');
+      if (latinWord.test(said)) assert.notEqual(own.get(place), text, `${place} is English in ${language}`);
+    }
   }
+});
+
+test('from language to language one comes to all', () => {
+  const met = new Set();
+  /** @type {import('../../../www/words/language.js').Language} */
+  let name = usualLanguage;
+  for (; !met.has(name); name = languageAfter(name)) met.add(name);
+  assert.deepEqual([...met], languageNames);
 });
 
 test('every part of the page has its folder, its name and what it is for', () => {
@@ -98,7 +110,7 @@ test('every part of the page has its folder, its name and what it is for', () =>
     [...pageNames].sort(),
     'www/parts/parts.js has a row for each',
   );
-  for (const { lab } of [en, ko])
+  for (const { lab } of Object.values(inEach))
     for (const name of pageNames) {
       assert.ok(lab.pages[name], `${name} has no name`);
       assert.ok(lab.taglines(20)[name], `nothing says what ${name} is for`);
@@ -189,7 +201,7 @@ test('the link says the language; without a link the browser does', () => {
 });
 
 test('with many starts the cost is that of the first, and evolution’s mean is not what to beat', () => {
-  for (const { lab } of [en, ko]) {
+  for (const { lab } of Object.values(inEach)) {
     assert.doesNotMatch(lab.costMeaning(1), /\d/);
     assert.match(lab.costMeaning(32), /32/);
     for (const isPapers of [true, false]) {
