@@ -12,7 +12,9 @@ const tied = (text) =>
     .replace(/(?<=[}σ]) = (?=[−\d{])/g, '\u00a0=\u00a0')
     // A posture, and a Korean number before what it counts.
     .replace(/(?<=\d(?:\u00a0m)?,) (?=−?\d+(?:\u00a0m\b|°))/g, '\u00a0')
-    .replace(/(?<=여섯|스무|백) (?=대)/g, '\u00a0');
+    .replace(/(?<=여섯|스무|백) (?=대)/g, '\u00a0')
+    // A Korean particle and what it belongs to.
+    .replace(/(?<=[)”°}]\*?)(?=[가-힣])/g, '\u2060');
 
 /**
  * @param {string} text @param {(link: string) => string} hrefOf

@@ -152,7 +152,7 @@ test('of an experiment with many starts nothing says that it has one', () => {
   const spread = { one: [10, 20], circle: [500, 600], grid: [700, 800] };
   for (const [words, ofOne] of /** @type {const} */ ([
     [en, /\b(one )?start\b/],
-    [ko, /출발점 하나|출발점 1개|^출발점 J$/m],
+    [ko, /출발점 하나|출발점 1개|^출발점\sJ$/m],
   ])) {
     const said = [1, 5].map((count) => [
       words.columnsOf(1000, count).at(-1),

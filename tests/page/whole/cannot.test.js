@@ -81,7 +81,7 @@ engineTest('what the browser or the server lacks is said, above a picture and th
       assert.equal(why, '');
       assert.equal(picture, true);
       assert.equal(captions.length, 1);
-      assert.deepEqual(lessons, [korean ? '읽는 수업' : 'The lesson, to read']);
+      assert.deepEqual(lessons, [korean ? '글로 읽는 수업' : 'The lesson, to read']);
       assert.equal(instrument, false, 'controls that nothing drives are to be seen');
       assert.doesNotMatch(all, /npm start/);
       // Once, for it is long.
@@ -110,12 +110,20 @@ async function readsLesson(page, language) {
         paper: getComputedStyle(document.body).getPropertyValue('--paper'),
         width: document.documentElement.scrollWidth - innerWidth,
         links: [...document.querySelectorAll('a')].map((link) => link.getAttribute('href')),
+        torn: [
+          ...new Set(
+            [...document.querySelectorAll('.on-one-line')].map((one) => getComputedStyle(one).whiteSpace),
+          ),
+          ...[...document.querySelectorAll('p, th, td')].flatMap(
+            ({ textContent }) => textContent?.match(/[)”°][가-힣]+/g) ?? [],
+          ),
+        ],
       }
     );
   });
   const korean = language === 'ko';
   assert.equal(seen.language, language);
-  assert.equal(seen.heading, korean ? '읽는 수업' : 'The lesson, to read');
+  assert.equal(seen.heading, korean ? '글로 읽는 수업' : 'The lesson, to read');
   assert.equal(seen.firsts.length, 15);
   for (const [i, first] of seen.firsts.entries())
     assert.match(first, new RegExp(`^${i + 1}\\. ${korean ? '.*[가-힣]' : '[A-Z]'}`));
@@ -123,6 +131,7 @@ async function readsLesson(page, language) {
   assert.ok(seen.formulas > 20);
   assert.notEqual(seen.paper, '', 'it has no style');
   assert.ok(seen.width <= 0, 'it is wider than the window');
+  assert.deepEqual(seen.torn, ['nowrap'], 'what belongs together can be on two lines');
   assert.deepEqual(seen.links, [`./#lesson&lang=${language}`, `./lesson.${korean ? 'en' : 'ko'}.html`]);
   if (page.engine === 'chromium') assert.deepEqual(await page.obstacles(), []);
 }
@@ -148,7 +157,7 @@ engineTest('without its scripts, or where they are forbidden, the page can be re
     const { why, lessons, captions, picture } = await inSight(page);
     assert.match(why, /^No robots yet\?.*Firefox.*\n+.*Firefox/s);
     assert.deepEqual([picture, captions.length], [true, 2]);
-    assert.deepEqual(lessons, ['The lesson, to read', '읽는 수업']);
+    assert.deepEqual(lessons, ['The lesson, to read', '글로 읽는 수업']);
     await readsLesson(page, 'en');
   });
 

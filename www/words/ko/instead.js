@@ -24,6 +24,6 @@ export const stopped =
 export const caption = (robots, generation, first, best) =>
   `이득이 무작위인 로봇 ${robots}대가 목표로 주행합니다. 그중 가장 좋은 로봇의 J는 ${first}입니다. 굵은 선은 ${generation}세대의 진화를 거친 최우수 로봇이며 J는 ${best}입니다.`;
 
-export const article = '읽는 수업';
+export const article = '글로 읽는 수업';
 export const articleNote =
   '슬라이더와 질문을 뺀 수업의 글입니다. 글 속의 수는 이 페이지를 만들 때 같은 프로그램이 계산한 값입니다.';

@@ -20,7 +20,8 @@ export const texts = {
   speed: '로봇 재생 속도',
   scrub: '로봇의 주행 시각',
   curveTitle: '적합도 곡선',
-  generationWord: '세대',
+  generationBefore: '',
+  generationAfter: '세대',
   evolutionClock: '진화의 시간',
   pauseEvolution: '진화 멈춤',
   oneGeneration: '한 세대 진행',
@@ -70,7 +71,7 @@ export const pages = {
 /** What each part is for. @param {number} population @returns {Record<string, string>} */
 export const taglines = (population) => ({
   lab: `무작위 이득을 세 개씩 가진 로봇 ${population}대가 목표로 주행합니다. 진화는 잘 주행하는 로봇을 남깁니다.`,
-  park: '출발점 32개에서 나선 로봇, 주차 자리 하나, 수 세 개. 모두 주차시켜 보거나 진화에 맡겨 보십시오.',
+  park: '출발점 32개에서 나선 로봇, 주차 자리 하나, 숫자 세 개. 모두 주차시켜 보거나 진화에 맡겨 보십시오.',
   generation:
     '한 세대를 단계별로 봅니다: 누가 누구의 자손인지, 어떻게 주행했는지, 누구를 만났는지, 누가 남는지.',
   curves: '논문의 그림 5, 7과 같은 시간에 따른 주행, 그동안 쌓이는 J, 그리고 리아푸노프 함수입니다.',

@@ -1,5 +1,5 @@
 // How numbers are written in Korean.
-import { costTextWith, groupedBy } from '../numbers.js';
+import { costTextWith, fixed, groupedBy } from '../numbers.js';
 
 export * from '../numbers.js';
 
@@ -8,3 +8,7 @@ export const grouped = groupedBy(',');
 
 /** J. */
 export const costText = costTextWith(grouped);
+
+/** How long it took. @param {number} milliseconds */
+export const tookText = (milliseconds) =>
+  milliseconds < 1000 ? `${fixed(milliseconds, 0)} ms` : `${fixed(milliseconds / 1000, 1)}초`;

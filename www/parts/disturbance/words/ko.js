@@ -15,7 +15,7 @@ export const texts = {
   remainsPart: '오차',
   remainsDrive: '이 주행',
   remainsSet: '집합',
-  remainsInside: '안에 남은 다른 출발점',
+  remainsInside: '안에\u00a0남은 다른\u00a0출발점',
   remainsInsideHint: '이 시간 동안 오차가 자기 집합의 최대 범위를 벗어나지 않은 출발점의 수',
 };
 
@@ -32,7 +32,7 @@ export const kindText = ({ kind, seed }) =>
   ({
     none: '로봇이 내는 속도에 아무것도 더하지 않습니다',
     random: `|δ1| ≤ ε1, |δ2| ≤ ε2, 샘플마다 새로 뽑음, ${seed}번째 뽑기`,
-    slip: 'v와 ω에 각각 δ1과 δ2를 더합니다. 모든 샘플에서 같습니다',
+    slip: 'v와 ω에 모든 샘플에서 똑같이 δ1과 δ2를 각각 더합니다',
   })[kind];
 
 /** @param {string} message @param {boolean} kept */
@@ -50,7 +50,7 @@ export const calmText = (part) => `${measureText(part)}, 외란 없음`;
 /** @param {number} seconds */
 export const tableCaption = (seconds) => `남은 오차: 마지막 ${sixDigits(seconds)}초의 최댓값`;
 /** @param {number} seconds */
-export const lastText = (seconds) => `마지막 ${sixDigits(seconds)} s`;
+export const lastText = (seconds) => `마지막 ${sixDigits(seconds)}초`;
 /** @param {Summary} summary */
 export const captionText = ({ seconds, disturbed }) =>
   `마지막 ${sixDigits(seconds)}초의 최댓값${disturbed ? '. 작은 글씨: 외란 없음' : ''}`;

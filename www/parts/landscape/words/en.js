@@ -1,6 +1,6 @@
 // Every word of the landscape.
 /** @import { Run } from '../../../core/engine.js' */
-import { costText, fixed, grouped } from '../../../words/en/numbers.js';
+import { costText, grouped, tookText } from '../../../words/en/numbers.js';
 
 export * from './common.js';
 
@@ -22,8 +22,7 @@ export const thirdLabel = (name) => `${name}, the same at every point`;
 export const onLogAxis = (gain) => `${gain}, log`;
 
 /** @param {number} drives @param {number} milliseconds */
-export const drivesText = (drives, milliseconds) =>
-  `${grouped(drives)} drives in ${fixed(milliseconds, 0)} ms`;
+export const drivesText = (drives, milliseconds) => `${grouped(drives)} drives in ${tookText(milliseconds)}`;
 
 export const computing = 'the robots are driving …';
 

@@ -1,6 +1,6 @@
 // Every word of the landscape, in Korean.
 /** @import { Run } from '../../../core/engine.js' */
-import { costText, fixed, grouped } from '../../../words/ko/numbers.js';
+import { costText, grouped, tookText } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
 
@@ -22,7 +22,7 @@ export const thirdLabel = (name) => `${name}, 모든 점에서 같은 값`;
 export const onLogAxis = (gain) => `${gain}, 로그`;
 
 /** @param {number} drives @param {number} milliseconds */
-export const drivesText = (drives, milliseconds) => `주행 ${grouped(drives)}회, ${fixed(milliseconds, 0)} ms`;
+export const drivesText = (drives, milliseconds) => `주행 ${grouped(drives)}회, ${tookText(milliseconds)}`;
 
 export const computing = '로봇이 주행하고 있습니다…';
 

@@ -2,7 +2,7 @@
 /** @import { SeedSurvey } from '../request.js' */
 /** @import { Change } from './common.js' */
 import { gainNames, isRandom } from './common.js';
-import { costText, fixed, grouped } from '../../../words/en/numbers.js';
+import { costText, fixed, grouped, tookText } from '../../../words/en/numbers.js';
 
 export * from './common.js';
 export * from './contest-en.js';
@@ -35,7 +35,7 @@ export const generationsChoice = (generations) => `${generations} generations`;
 
 /** @param {SeedSurvey} survey */
 export const surveyNote = ({ experiment, runs, drives, milliseconds }) =>
-  `${countChoice(runs.length)}${drives === null ? '' : `, ${isRandom(experiment) ? '' : '2 × '}${grouped(drives)} drives each,`} in ${milliseconds < 100 ? `${fixed(milliseconds, 0)} ms` : `${fixed(milliseconds / 1000, 1)} s`}`;
+  `${countChoice(runs.length)}${drives === null ? '' : `, ${isRandom(experiment) ? '' : '2 × '}${grouped(drives)} drives each,`} in ${tookText(milliseconds)}`;
 
 /** @param {number} seed @param {number} generation */
 export const labNote = (seed, generation) => `the lab: seed ${seed}, generation ${generation}`;

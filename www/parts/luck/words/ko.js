@@ -2,7 +2,7 @@
 /** @import { SeedSurvey } from '../request.js' */
 /** @import { Change } from './common.js' */
 import { gainNames, isRandom } from './common.js';
-import { costText, fixed, grouped } from '../../../words/ko/numbers.js';
+import { costText, fixed, grouped, tookText } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
 export * from './contest-ko.js';
@@ -36,7 +36,7 @@ export const generationsChoice = (generations) => `${generations}세대`;
 
 /** @param {SeedSurvey} survey */
 export const surveyNote = ({ experiment, runs, drives, milliseconds }) =>
-  `${countChoice(runs.length)}${drives === null ? '' : `, 각각 주행 ${isRandom(experiment) ? '' : '2 × '}${grouped(drives)}회`}, ${milliseconds < 100 ? `${fixed(milliseconds, 0)} ms` : `${fixed(milliseconds / 1000, 1)}초`}`;
+  `${countChoice(runs.length)}${drives === null ? '' : `, 각각 주행 ${isRandom(experiment) ? '' : '2 × '}${grouped(drives)}회`}, ${tookText(milliseconds)}`;
 
 /** @param {number} seed @param {number} generation */
 export const labNote = (seed, generation) => `실험실: 시드 ${seed}, ${generation}세대`;

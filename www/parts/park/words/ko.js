@@ -6,18 +6,18 @@ export const pictureName = '주차 자리';
 
 /** @param {number} count */
 export const invitation = (count) =>
-  `로봇 ${count}대, 주차 자리 하나. 모든 로봇은 같은 수 세 개를 따릅니다. 몇 대나 주차시킬 수 있습니까?`;
+  `로봇 ${count}대, 주차 자리 하나. 모든 로봇은 같은 숫자 세 개를 따릅니다. 몇 대나 주차시킬 수 있습니까?`;
 
 /** @param {number} count */
 export const ofParked = (count) => `/ ${count}대 주차`;
-export const yours = '직접 고른 세 수로';
+export const yours = '직접 고른 세 숫자로';
 /** Before anybody has moved one. */
-export const given = '아래의 세 수로';
+export const given = '아래의 세 숫자로';
 /** @param {number} generation @param {number} population */
 export const swarm = (generation, population) =>
   generation === 0 ? `무작위 로봇 ${population}대 중 최우수` : `${generation}세대의 최우수 로봇`;
 
-export const sliders = '세 수';
+export const sliders = '세 숫자';
 /** What each of them is for. */
 export const whatFor = ['앞으로', '옆으로', '회전'];
 export const evolve = '진화에 맡기기';

@@ -2,7 +2,7 @@
 /** @import { Quantity } from '../request.js' */
 /** @import { Drive, Place } from './common.js' */
 import { placeText, shareText } from './common.js';
-import { costText, degrees, fixed, grouped } from '../../../words/en/numbers.js';
+import { costText, degrees, fixed, grouped, tookText } from '../../../words/en/numbers.js';
 
 export * from './common.js';
 
@@ -32,8 +32,7 @@ export const headingChoices = {
 export const percent = (share) => `${shareText(share)} %`;
 
 /** @param {number} starts @param {number} milliseconds */
-export const startsText = (starts, milliseconds) =>
-  `${grouped(starts)} starts in ${fixed(milliseconds, 0)} ms`;
+export const startsText = (starts, milliseconds) => `${grouped(starts)} starts in ${tookText(milliseconds)}`;
 
 export const tracking = 'The reference moves: no drive ends by arriving.';
 export const computing = 'the robots are driving …';

@@ -2,7 +2,7 @@
 /** @import { Quantity } from '../request.js' */
 /** @import { Drive, Place } from './common.js' */
 import { placeText, shareText } from './common.js';
-import { costText, degrees, fixed, grouped } from '../../../words/ko/numbers.js';
+import { costText, degrees, fixed, grouped, tookText } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
 
@@ -32,8 +32,7 @@ export const headingChoices = {
 export const percent = (share) => `${shareText(share)}%`;
 
 /** @param {number} starts @param {number} milliseconds */
-export const startsText = (starts, milliseconds) =>
-  `출발점 ${grouped(starts)}개, ${fixed(milliseconds, 0)} ms`;
+export const startsText = (starts, milliseconds) => `출발점 ${grouped(starts)}개, ${tookText(milliseconds)}`;
 
 export const tracking = '기준 자세가 움직이므로 도착으로 끝나는 주행이 없습니다.';
 export const computing = '로봇이 주행하고 있습니다…';

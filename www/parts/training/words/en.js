@@ -1,7 +1,7 @@
 // Every word of the training part.
 /** @import { Evolved, Result, RowName } from '../request.js' */
 import { cost, isEvolved, shareOf } from './common.js';
-import { fixed, grouped, postureText } from '../../../words/en/numbers.js';
+import { fixed, grouped, postureText, tookText } from '../../../words/en/numbers.js';
 
 export * from './common.js';
 
@@ -82,7 +82,7 @@ export const key = (count, radius, horizon) =>
 
 /** @param {Evolved} evolved */
 export const evolvedNote = ({ experiment, generations, drives, milliseconds }) =>
-  `seed ${experiment.evolution.seed}, ${generations} generations: ${whole(drives)} drives in ${fixed(milliseconds / 1000, 1)} s`;
+  `seed ${experiment.evolution.seed}, ${generations} generations: ${whole(drives)} drives in ${tookText(milliseconds)}`;
 
 export const driving = 'the robots are driving …';
 

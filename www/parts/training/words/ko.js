@@ -1,7 +1,7 @@
 // Every word of the training part, in Korean.
 /** @import { Evolved, Result, RowName } from '../request.js' */
 import { cost, isEvolved, shareOf } from './common.js';
-import { fixed, grouped, postureText } from '../../../words/ko/numbers.js';
+import { fixed, grouped, postureText, tookText } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
 
@@ -44,7 +44,7 @@ export const columnsOf = (unseen, own) => [
   '학습한 곳에서 도착',
   `처음 보는 ${grouped(unseen)}개 중 도착`,
   '평균 J',
-  own === 1 ? '출발점 J' : `출발점 ${own}개 J`,
+  own === 1 ? '출발점\u00a0J' : `출발점 ${own}개\u00a0J`,
 ];
 
 /** @param {number} part @param {number} count */
@@ -68,7 +68,7 @@ export const pictureLabel = (title) =>
 /** @param {import('../../../core/engine.js').Posture} start @param {string} outcome */
 export const readout = (start, outcome) => `${postureText(start)}에서 출발: ${outcome}.`;
 
-export const signs = { arrives: '채운 점은 도착,', misses: '작고 옅은 빈 점은 미도착.' };
+export const signs = { arrives: '채운 화살표는 도착,', misses: '작고 옅은 빈 화살표는 미도착.' };
 
 /** What the pictures and the columns mean. @param {number} count @param {number} radius @param {number} horizon */
 export const key = (count, radius, horizon) =>
@@ -76,7 +76,7 @@ export const key = (count, radius, horizon) =>
 
 /** @param {Evolved} evolved */
 export const evolvedNote = ({ experiment, generations, drives, milliseconds }) =>
-  `시드 ${experiment.evolution.seed}, ${generations}세대: 주행 ${grouped(drives)}회, ${fixed(milliseconds / 1000, 1)}초`;
+  `시드 ${experiment.evolution.seed}, ${generations}세대: 주행 ${grouped(drives)}회, ${tookText(milliseconds)}`;
 
 export const driving = '로봇이 주행하고 있습니다…';
 

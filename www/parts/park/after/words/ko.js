@@ -11,9 +11,9 @@ export function ending({ best, count }, { parked, generation }, isDone, isFurthe
   if (best && parked <= best.parked && isFurther)
     return `진화는 로봇 ${count}대 가운데 ${parked}대를 주차시켰고, 슬라이더가 그만큼 길어진 지금은 직접 ${best.parked}대를 주차시킵니다.`;
   if (best && parked <= best.parked)
-    return `진화는 로봇 ${count}대 가운데 ${parked}대에서 끝났고, 직접 찾은 세 수로는 ${best.parked}대였습니다. 운이 작용하니 다른 시드로 다시 해 보십시오.`;
+    return `진화는 로봇 ${count}대 가운데 ${parked}대에서 끝났고, 직접 찾은 세 숫자로는 ${best.parked}대였습니다. 운이 작용하니 다른 시드로 다시 해 보십시오.`;
   return parked === count
-    ? `${generation}세대 만에 출발점 ${count}개 모두에서 주차하는 로봇이 나왔습니다. 방법을 알려 준 사람은 없습니다. 진화가 로봇마다 아는 것은 수 하나뿐이었습니다.`
+    ? `${generation}세대 만에 출발점 ${count}개 모두에서 주차하는 로봇이 나왔습니다. 방법을 알려 준 사람은 없습니다. 진화가 로봇마다 아는 것은 숫자 하나뿐이었습니다.`
     : `${generation}세대 뒤에 진화는 로봇 ${count}대 가운데 ${parked}대를 주차시킵니다.`;
 }
 
@@ -32,17 +32,17 @@ export const yoursParked = (parked) => `직접 ${parked}`;
 export const parkedColumn = '주차';
 export const bestByHand = '직접';
 export const evolved = '진화';
-export const sliders = '슬라이더: 직접 고른 수';
+export const sliders = '슬라이더: 직접 고른 숫자';
 /** What moves along the sliders. @param {boolean} isWalking */
-export const marks = (isWalking) => (isWalking ? '그 사이의 수' : '진화의 최우수');
+export const marks = (isWalking) => (isWalking ? '그 사이의 숫자' : '진화의 최우수');
 /** @param {number} value */
 export const gain = (value) => fixed(value, 1);
 /** @param {number} parked @param {number} count */
 export const share = (parked, count) => `${count}대 중 ${parked}대`;
 
-export const walk = '직접 고른 세 수에서 진화의 세 수로';
+export const walk = '직접 고른 세 숫자에서 진화의 세 숫자로';
 /** @param {number} percent */
-export const walked = (percent) => `진화의 세 수 쪽으로 ${percent}%`;
+export const walked = (percent) => `진화의 세 숫자 쪽으로 ${percent}%`;
 /** @param {readonly string[]} gains @param {number} parked @param {number} count */
 export const walkedTo = (gains, parked, count) => `${gains.join(', ')}: ${count}대 중 ${parked}대 주차`;
 
