@@ -137,13 +137,13 @@ function createSeen({ actions, tools, sight, seenScene }, redraw, addressOf) {
 function createFrame({ actions, tools: { store } }, { made, turn, show }) {
   const generations = createAccumulator();
 
-  /** As many generations as are due, or as fit into half a frame. @param {number} pace @param {number} seconds */
-  const moreOf = (pace, seconds) => {
-    if (Number.isFinite(pace)) {
+  /** As many generations as are due, or as fit into half a frame; into more of it where a link is waited for. @param {State} state @param {number} seconds */
+  const moreOf = ({ pace, catchingUp }, seconds) => {
+    if (!catchingUp && Number.isFinite(pace)) {
       let due = generations.take(seconds, pace);
       return () => due-- > 0;
     }
-    const end = performance.now() + 8;
+    const end = performance.now() + (catchingUp ? 40 : 8);
     return () => performance.now() < end;
   };
 
@@ -151,8 +151,7 @@ function createFrame({ actions, tools: { store } }, { made, turn, show }) {
     const before = store.get();
     turn(before.page, () => made.of(before.page)?.tick?.(before, seconds));
     // First of all there is a picture.
-    if (seconds > 0 && before.evolving && !before.dragging)
-      actions.evolve(moreOf(before.catchingUp ? Number.POSITIVE_INFINITY : before.pace, seconds));
+    if (seconds > 0 && before.evolving && !before.dragging) actions.evolve(moreOf(before, seconds));
     actions.advance(seconds);
     show();
     const { evolving, computing, robot } = store.get();

@@ -1,4 +1,4 @@
-// What a worker computes, how far it is, and the way to stop it.
+// What a worker computes or a link waits for, how far it is, and the way to stop it.
 /** @import { State } from '../run/state.js' */
 import { html, nothing, render } from 'lit-html';
 import { byId, create } from '../kit/elements.js';
@@ -6,6 +6,8 @@ import { lab as strings } from '../words/index.js';
 
 /** Milliseconds: what is there sooner need not be said. */
 const patience = 300;
+/** On the page's own thread evolution is seen as it goes on. */
+const patienceHere = 1000;
 
 /** @param {{ stopComputing: () => void }} actions */
 export function createComputing({ stopComputing }) {
@@ -18,14 +20,19 @@ export function createComputing({ stopComputing }) {
     const isUsed = event.defaultPrevented || event.isComposing || document.querySelector('dialog[open]');
     if (event.key === 'Escape' && !place.hidden && !isUsed) stopComputing();
   });
+  /** When evolution began to catch up. @type {number | null} */
+  let begun = null;
   return {
     /** @param {State} state */
     draw({ computing, catchingUp, generation }) {
-      place.hidden = !computing || performance.now() - computing.since < patience;
-      if (place.hidden || !computing) return;
+      const now = performance.now();
+      begun = catchingUp ? (begun ?? now) : null;
+      const isDue = computing ? now - computing.since >= patience : now - (begun ?? now) >= patienceHere;
+      place.hidden = !isDue;
+      if (!isDue) return;
       const newest = catchingUp?.newest ?? null;
-      const share = newest ? generation / newest : computing.share();
-      const text = strings.computingText(computing.what, generation, newest);
+      const share = newest ? generation / newest : computing?.share();
+      const text = strings.computingText(computing?.what ?? 'generation', generation, newest);
       const bar = html`<progress aria-label=${text} value=${share ?? nothing}></progress>`;
       const stop = html`<button type="button" class="link" @click=${stopComputing}>${strings.stopComputing}</button>`;
       render(html`<span role="status">${text}</span> ${stop}${bar}`, place);

@@ -105,3 +105,20 @@ pageTest('a link with something wrong says what, and opens the rest', async (pag
   const { seed, generation } = await read(page);
   assert.deepEqual({ seed, generation }, { seed: '7', generation: '0' });
 });
+
+pageTest('a link far into a run says how far it has come, and Escape leaves it there', async (page) => {
+  await page.visit(`${page.site.address}#lab&v=1&generation=99999`);
+  const said = await page.until('it says how far it is', () => {
+    const line = document.getElementById('computing');
+    return line?.checkVisibility() && line.innerText;
+  });
+  assert.match(said, /^Evolution catches up: generation \d+ of 99999\. Stop \(Esc\)/);
+  await page.press(Key.ESCAPE);
+  const message = await page.until('it has stopped', () => {
+    const line = document.getElementById('computing');
+    return line?.hidden && document.getElementById('message')?.textContent;
+  });
+  const [, stopped] = /^Stopped at generation (\d+): what has been computed stays\.$/.exec(message) ?? [];
+  assert.ok(Number(stopped) > 0 && Number(stopped) < 99_999, message);
+  assert.equal(await page.text('#generation'), stopped);
+});
