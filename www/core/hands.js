@@ -4,7 +4,7 @@
 
 /** What the pool needs of a Worker. @typedef {Pick<Worker, 'addEventListener' | 'postMessage' | 'terminate'>} WorkerLike */
 
-/** A worker, and the parts of one task that it has been given, in their order. @typedef {{ worker: WorkerLike, task: Task | null, indices: number[], progress: number, silence: ReturnType<typeof setTimeout> }} Hand */
+/** A worker, and the parts of one task that it has been given, in their order. @typedef {{ worker: WorkerLike, task: Task | null, indices: number[], progress: number, begun: boolean, silence: ReturnType<typeof setTimeout> }} Hand `begun`: it has said a word. */
 
 /** What a worker says of its parts. @typedef {Exclude<Answer, { life: string | null }>} Said */
 
@@ -26,16 +26,24 @@ export function createHands(spawn, size, hear, lose) {
   function hire() {
     const worker = start(spawn);
     /** @type {Hand} */
-    const hand = { worker, task: null, indices: [], progress: 0, silence: setTimeout(giveUp, silence) };
+    const hand = {
+      worker,
+      task: null,
+      indices: [],
+      progress: 0,
+      begun: false,
+      silence: setTimeout(giveUp, silence),
+    };
     worker.addEventListener('message', (/** @type {MessageEvent<Answer>} */ { data }) => {
       clearTimeout(hand.silence);
+      hand.begun = true;
       if (!('life' in data)) hear(hand, data);
       else if (data.life !== null)
         navigator.locks.request(data.life, () => lose(hand, 'it was ended')).catch(() => {});
     });
     worker.addEventListener('error', (event) => {
       event.preventDefault();
-      lose(hand, event.message || 'it could not be started');
+      lose(hand, event.message || 'no reason is given');
     });
     worker.addEventListener('messageerror', () => lose(hand, 'its answer cannot be read'));
     hands.add(hand);
@@ -79,6 +87,13 @@ function start(spawn) {
   try {
     return spawn();
   } catch (cause) {
-    throw new Error(`No worker can be started: ${cause instanceof Error ? cause.message : cause}`, { cause });
+    throw notStarted(cause instanceof Error ? cause.message : String(cause), cause);
   }
 }
+
+/** @param {string} reason @param {unknown} [cause] */
+export const notStarted = (reason, cause) =>
+  new Error(
+    `No worker can be started: ${reason}. The server that sends this page may forbid computing in the background (worker-src), or lack the file of it; what needs none goes on.`,
+    { cause },
+  );

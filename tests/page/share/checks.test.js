@@ -181,7 +181,10 @@ pageTest('where no worker starts, the sheet says that the checks could not be fi
   await checked(page);
   const { summary, rows } = await seen(page);
   // Firefox throws the error out of a realm of its own.
-  assert.match(summary, /^The checks could not be finished: No worker can be started: (Error: )?forbidden$/);
+  assert.match(
+    summary,
+    /^The checks could not be finished: No worker can be started: (Error: )?forbidden\. The server /,
+  );
   assert.deepEqual(rows, []);
 });
 
