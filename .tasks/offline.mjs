@@ -6,7 +6,6 @@ const policy = [
   "script-src 'unsafe-inline' 'wasm-unsafe-eval'",
   "style-src 'unsafe-inline'",
   'img-src data: blob:',
-  'connect-src data:',
   'worker-src blob:',
   // Itself, as the preview of an exercise.
   "frame-src 'self' file:",
