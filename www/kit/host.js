@@ -27,11 +27,13 @@ export const isStill = () => !used || matchMedia('(prefers-reduced-motion: reduc
 /** Said when the page loads itself again: who keeps something of it lays it aside. */
 export const leaving = 'page-leaves';
 
-/** Whether the page can be loaded again now; a file on a disk cannot be asked for, and is there. */
+/** Whether the page can be loaded again now, and not one that asks to log in; a file on a disk cannot be asked for, and is there. */
 export async function canLoad() {
   if (location.protocol === 'file:') return true;
-  const { ok } = await fetch(location.href, { cache: 'no-store' }).catch(() => ({ ok: false }));
-  return ok;
+  const answer = await fetch(location.href, { cache: 'no-store' })
+    .then((response) => response.text())
+    .catch(() => '');
+  return answer.includes('id="instrument"');
 }
 
 /** The address of the whole page, or with `embed` of its figure for a frame; who works on it only the link says. @param {string} page @param {string} link the text after # @param {boolean} embed */

@@ -151,8 +151,10 @@ pageTest(
 pageTest('a part that cannot be loaded says so, and all else goes on until it can', async (page) => {
   /** What is not sent. @type {(name: string, content: Buffer) => boolean} */
   let refuses = (name, content) => /page-.*\.js$/.test(name) && content.includes('luck-finding');
+  /** What is sent in its place. @type {Buffer | null} */
+  let instead = null;
   const site = await serve(undefined, {
-    send: (name, content) => (refuses(name, content) ? null : content),
+    send: (name, content) => (refuses(name, content) ? instead : content),
   });
   const isSaid = () =>
     page.until('it is said', () => {
@@ -166,12 +168,15 @@ pageTest('a part that cannot be loaded says so, and all else goes on until it ca
     assert.match(await isSaid(), /불러오지 못했습니다.*다시 시도/s);
     assert.equal((await inPlace(page)).isThere, false);
 
-    // Without a network nothing is lost by trying again.
+    // Without a network nothing is lost by trying again, nor where another page asks to log in.
     refuses = () => true;
-    await page.click('.part-failed button');
-    await page.until('it is said again', () =>
-      document.querySelector('.part-failed')?.textContent?.includes('아직 불러올 수 없습니다'),
-    );
+    for (const other of [null, Buffer.from('<h1>Log in</h1>')]) {
+      instead = other;
+      await page.click('.part-failed button');
+      await page.until('it is said again', () =>
+        document.querySelector('.part-failed')?.textContent?.includes('아직 불러올 수 없습니다'),
+      );
+    }
     await page.click('#page-lab');
     await page.click('#one-generation');
     await page.until('the lab goes on', () =>

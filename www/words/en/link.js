@@ -63,4 +63,5 @@ export const noAim = 'it needs aim=… beside it.';
 export const hiddenPaper = 'the paper’s gains are hidden by the same link.';
 export const paperInLesson = 'the lesson tells the paper’s gains, which the same link hides.';
 
-export const notLoaded = 'The other language cannot be loaded now: there is no network.';
+export const notLoaded =
+  'The other language cannot be loaded now: there is no network, or one must log in again.';

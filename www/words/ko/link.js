@@ -61,4 +61,5 @@ export const noAim = 'aim=… 항목이 함께 있어야 합니다.';
 export const hiddenPaper = '같은 링크가 논문의 이득을 숨깁니다.';
 export const paperInLesson = '수업에는 같은 링크가 숨긴 논문의 이득이 나옵니다.';
 
-export const notLoaded = '지금은 다른 언어를 불러올 수 없습니다. 네트워크에 연결되어 있지 않습니다.';
+export const notLoaded =
+  '지금은 다른 언어를 불러올 수 없습니다. 네트워크에 연결되어 있지 않거나 다시 로그인해야 합니다.';
