@@ -137,18 +137,29 @@ function createSeen({ actions, tools, sight, seenScene }, redraw, addressOf) {
 function createFrame({ actions, tools: { store } }, { made, turn, show }) {
   const generations = createAccumulator();
 
-  /** As many generations as are due, or as fit into half a frame; into more of it where a link is waited for. @param {State} state @param {number} seconds */
-  const moreOf = ({ pace, catchingUp }, seconds) => {
-    if (!catchingUp && Number.isFinite(pace)) {
-      let due = generations.take(seconds, pace);
-      return () => due-- > 0;
-    }
-    const end = performance.now() + (catchingUp ? 40 : 8);
+  /** While so many milliseconds are not over. @param {number} milliseconds */
+  const within = (milliseconds) => {
+    const end = performance.now() + milliseconds;
     return () => performance.now() < end;
   };
+  /** As many generations as are due, or as fit into half a frame. @param {State} state @param {number} seconds */
+  const moreOf = ({ pace, catchingUp }, seconds) => {
+    if (catchingUp || !Number.isFinite(pace)) return within(8);
+    let due = generations.take(seconds, pace);
+    return () => due-- > 0;
+  };
+  /** Frames in a row that are for evolution alone. */
+  let unseen = 0;
 
   return (/** @type {number} */ seconds) => {
     const before = store.get();
+    // Where a link is waited for, what it passes on its way is seen now and then.
+    const isOnItsWay = before.catchingUp && before.evolving && !before.computing && !before.dragging;
+    unseen = seconds > 0 && isOnItsWay ? (unseen + 1) % 4 : 0;
+    if (unseen > 0) {
+      actions.evolve(within(30));
+      return true;
+    }
     turn(before.page, () => made.of(before.page)?.tick?.(before, seconds));
     // First of all there is a picture.
     if (seconds > 0 && before.evolving && !before.dragging) actions.evolve(moreOf(before, seconds));
