@@ -94,6 +94,6 @@ function start(spawn) {
 /** @param {string} reason @param {unknown} [cause] */
 export const notStarted = (reason, cause) =>
   new Error(
-    `No worker can be started: ${reason}. The server that sends this page may forbid computing in the background (worker-src), or lack the file of it; what needs none goes on.`,
+    `No worker can be started: ${reason.replace(/\.$/, '')}. The server that sends this page may forbid computing in the background (worker-src), lack the file of it, or be out of reach; what needs no worker goes on.`,
     { cause },
   );

@@ -284,7 +284,7 @@ test('a worker that lost its core is replaced, and only its own job fails', asyn
 test('a worker that cannot be made, or an argument that cannot be sent, rejects the job', async () => {
   const pool = createPool({
     spawn() {
-      throw new Error('this browser has no workers');
+      throw new Error('this browser has no workers.');
     },
     size: 2,
   });

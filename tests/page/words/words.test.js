@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { notStarted } from '../../../www/core/hands.js';
 import { pageNames } from '../../../www/parts/parts.js';
 import { said } from '../../../www/words/ko/messages.js';
 import { languageAfter, languageNames, languageOf, usualLanguage } from '../../../www/words/language.js';
@@ -69,6 +70,15 @@ test('what a Korean refusal demands has its large numbers in groups, and what wa
         return true;
       },
     );
+});
+
+test('what becomes of a worker Korean says without an English word', () => {
+  const text = readFileSync(join(source, 'core/hands.js'), 'utf8');
+  const reasons = [...text.matchAll(/lose\(hand, (?:.* \|\| )?'([^']*)'/g)].map(([, reason]) => reason);
+  assert.ok(reasons.length > 3, `${reasons}`);
+  for (const reason of reasons)
+    for (const message of [`A worker was lost: ${reason}`, notStarted(reason).message])
+      assert.doesNotMatch(said(message).replace('(worker-src)', ''), latinWord);
 });
 
 test('a J below the large one stands in one line with what it belongs to', () => {

@@ -46,9 +46,10 @@ const known = [
   [
     /^No worker can be started: (.*)\. The server [^:]*$/s,
     (_, reason) =>
-      `워커를 시작할 수 없습니다: ${said(reason)}. 이 페이지를 보내는 서버가 백그라운드 계산을 금지했거나(worker-src) 그 파일이 서버에 없을 수 있습니다. 워커가 필요 없는 것은 계속 쓸 수 있습니다.`,
+      `워커를 시작할 수 없습니다: ${said(reason)}. 이 페이지를 보내는 서버가 백그라운드 계산을 금지했거나(worker-src), 그 파일이 서버에 없거나, 서버에 연결되지 않을 수 있습니다. 워커가 필요 없는 것은 계속 쓸 수 있습니다.`,
   ],
   [/^no reason is given$/, () => '이유를 알 수 없음'],
+  [/^it did not begin$/, () => '시작했다는 응답이 없음'],
   [/^an error in the core$/, () => '코어 내부 오류입니다'],
   [/^it was ended$/, () => '도중에 종료되었습니다'],
   [/^its answer cannot be read$/, () => '응답을 읽을 수 없습니다'],
