@@ -125,7 +125,8 @@ engineTest(
           const [letter, dot] = [box(over.querySelector('mi')), box(over.querySelector('mo'))];
           const off = (dot.left + dot.right - letter.left - letter.right) / 2 / letter.width;
           const term = over.closest('[data-term]') ?? over.querySelector('[data-term]');
-          return { of: term?.getAttribute('data-term'), off: Math.abs(off) };
+          const high = box(over).height / Number.parseFloat(getComputedStyle(over).fontSize);
+          return { of: term?.getAttribute('data-term'), off: Math.abs(off), high };
         }),
         widths: ['V', 'Vdot'].map(
           (name) => box(document.querySelector(`${shown}="${name}"] mi, ${shown}="${name}"]:is(mi)`)).width,
@@ -141,7 +142,12 @@ engineTest(
       'y',
       'ye',
     ]);
-    for (const { of, off } of dots) assert.ok(off < 0.3, `${of}: ${off} of its width beside it`);
+    // The boxes of Firefox reach beyond what is drawn in them.
+    const most = page.engine === 'firefox' ? 1.7 : 1.2;
+    for (const { of, off, high } of dots) {
+      assert.ok(off < 0.3, `${of}: ${off} of its width beside it`);
+      assert.ok(high < most, `${of}: with its dot ${high} of the letters’ size`);
+    }
     assert.ok(Math.abs(widths[0] - widths[1]) < 0.5, `V is ${widths} wide`);
   },
 );

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { lineageOf, numbersBelow } from '../../../www/lesson/views/lineage.js';
 import { sigma as words } from '../../../www/lesson/words/en/sigma.js';
 import { sigma as ko } from '../../../www/lesson/words/ko/sigma.js';
-import { pageTest } from '../harness/browsers.js';
+import { engineTest, pageTest } from '../harness/browsers.js';
 import { Evolution, experiment } from '../harness/core.js';
 import { opened } from './links.js';
 import { tryOf } from './live.js';
@@ -112,6 +112,23 @@ pageTest(
     );
   },
 );
+
+engineTest('the bells of a family end above the numbers below them', async (page) => {
+  await page.open('#lesson&step=8');
+  const gaps = await page.until('the family', () => {
+    const columns = [...document.querySelectorAll('#lineage figure')];
+    return (
+      columns.length === 3 &&
+      columns.map((column) => {
+        const [bells, numbers] = ['svg', 'svg + *'].map((one) =>
+          column.querySelector(one)?.getBoundingClientRect(),
+        );
+        return (numbers?.top ?? 0) - (bells?.bottom ?? 0);
+      })
+    );
+  });
+  for (const gap of gaps) assert.ok(gap > -1 && gap < 8, `${gaps}`);
+});
 
 pageTest('the numbers below a family stand apart, also on a telephone', async (page) => {
   for (const [width, height] of [

@@ -102,7 +102,15 @@ function withIndex(letter, index) {
 
 /** A letter with the dot of a rate. @param {Element} letter */
 export function dotted(letter) {
-  const over = mathml('mover', letter, mathml('mo', '˙'));
+  // Its sign stands high above the base line: WebKit would put all of that between it and the letter.
+  const dot = mathml('mpadded', mathml('mo', '˙'));
+  for (const [name, value] of [
+    ['height', '0.2em'],
+    ['depth', '0'],
+    ['voffset', '-0.5em'],
+  ])
+    dot.setAttribute(name, value);
+  const over = mathml('mover', letter, dot);
   over.setAttribute('accent', 'true');
   return over;
 }
