@@ -1,11 +1,12 @@
 // A Vite plugin that makes one HTML file of the whole page, which works from a disk without a network.
 
-/** The file reaches nothing outside of itself, whatever is in it. */
+/** The file reaches nothing outside of itself, whatever is in it, but the server that it comes from, if it does: to ask whether that is there. */
 const policy = [
   "default-src 'none'",
   "script-src 'unsafe-inline' 'wasm-unsafe-eval'",
   "style-src 'unsafe-inline'",
   'img-src data: blob:',
+  "connect-src 'self'",
   'worker-src blob:',
   // Itself, as the preview of an exercise.
   "frame-src 'self' file:",

@@ -43,6 +43,8 @@ export function createHands(spawn, size, hear, lose) {
     });
     worker.addEventListener('error', (event) => {
       event.preventDefault();
+      // Another page in the place of its file is no script.
+      if (event.message && !event.message.includes('SyntaxError')) hand.begun = true;
       lose(hand, event.message || 'no reason is given');
     });
     worker.addEventListener('messageerror', () => lose(hand, 'its answer cannot be read'));
@@ -94,6 +96,6 @@ function start(spawn) {
 /** @param {string} reason @param {unknown} [cause] */
 export const notStarted = (reason, cause) =>
   new Error(
-    `No worker can be started: ${reason.replace(/\.$/, '')}. The server that sends this page may forbid computing in the background (worker-src), lack the file of it, or be out of reach; what needs no worker goes on.`,
+    `No worker can be started: ${reason.replace(/\.$/, '')}. The server that sends this page, or the frame that holds it, may forbid computing in the background (worker-src, sandbox), lack the file of it, or be out of reach; what needs no worker goes on.`,
     { cause },
   );

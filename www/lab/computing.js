@@ -2,6 +2,7 @@
 /** @import { State } from '../run/state.js' */
 import { html, nothing, render } from 'lit-html';
 import { byId, create } from '../kit/elements.js';
+import { canStop } from '../run/guard.js';
 import { lab as strings } from '../words/index.js';
 
 /** Milliseconds: what is there sooner need not be said. */
@@ -24,18 +25,30 @@ export function createComputing({ stopComputing }) {
   let begun = null;
   return {
     /** @param {State} state */
-    draw({ computing, catchingUp, generation }) {
+    draw(state) {
+      const { computing, catchingUp, generation } = state;
+      const wasThere = !place.hidden;
       const now = performance.now();
       begun = catchingUp ? (begun ?? now) : null;
-      const isDue = computing ? now - computing.since >= patience : now - (begun ?? now) >= patienceHere;
-      place.hidden = !isDue;
-      if (!isDue) return;
       const newest = catchingUp?.newest ?? null;
       const share = newest ? generation / newest : computing?.share();
+      const isDue = computing
+        ? now - computing.since >= patience
+        : share && begun !== null && (wasThere || isLongAway(now - begun, share));
+      place.hidden = !isDue;
+      if (!isDue) return;
       const text = strings.computingText(computing?.what ?? 'generation', generation, newest);
-      const bar = html`<progress aria-label=${text} value=${share ?? nothing}></progress>`;
+      // How far it is need not be heard at every step.
+      const voice = newest && wasThere ? 'off' : 'polite';
+      const bar = html`<progress aria-labelledby="computing-text" value=${share ?? nothing}></progress>`;
       const stop = html`<button type="button" class="link" @click=${stopComputing}>${strings.stopComputing}</button>`;
-      render(html`<span role="status">${text}</span> ${stop}${bar}`, place);
+      render(
+        html`<span id="computing-text" role="status" aria-live=${voice}>${text}</span> ${canStop(state) ? stop : nothing}${bar}`,
+        place,
+      );
     },
   };
 }
+
+/** Evolution that is seen as it goes on will take longer than one waits for. @param {number} past Milliseconds. @param {number} share */
+const isLongAway = (past, share) => past >= patienceHere && past * (1 / share - 1) >= patienceHere;

@@ -63,6 +63,9 @@ export const groupOf = {
 /** @param {Pick<State, 'exercise' | 'maker'>} state @param {Group} group */
 export const isFree = (state, group) => wayOf(shownExercise(state), group) === 'free';
 
+/** What is computed can be stopped, but an exercise begins where its link says, unless one may run it on. @param {State} state */
+export const canStop = (state) => !state.catchingUp || isFree(state, 'run');
+
 /** What an action obeys besides, for what it is given. @param {keyof Actions} name @param {unknown} first @returns {readonly Group[]} */
 function moreOf(name, first) {
   if (name === 'chooseDriver') return String(first).startsWith('paper-') ? ['paper'] : [];

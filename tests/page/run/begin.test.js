@@ -14,6 +14,19 @@ test('what is set while a link catches up begins another evolution, which nobody
   assert.equal(store.get().evolving, true);
 });
 
+test('what a link waits for can be stopped, but not where running is locked', () => {
+  for (const [locked, stops] of /** @type {const} */ ([
+    ['', true],
+    ['&lock=seed', true],
+    ['&lock=run', false],
+  ])) {
+    const { actions, store } = pageOf(`lab${locked}`);
+    store.update({ evolving: true, catchingUp: { newest: 40, generation: 40 } });
+    actions.stopComputing();
+    assert.equal(store.get().catchingUp === null, stops, locked);
+  }
+});
+
 test('a start that is tried where evolution starts is none', () => {
   const { actions, store } = pageOf('robustness');
   const own = actions.postureOf('start');

@@ -3,7 +3,7 @@ import { pageNames } from '../../../www/parts/parts.js';
 import { engineTest } from '../harness/browsers.js';
 
 engineTest('on a telephone held sideways the robots stay beside all that is scrolled', async (page) => {
-  await page.resize(844, 340);
+  await page.resize(740, 340);
   await page.open('#lab&aim=J%3C8&task=Park.');
   await page.until('the aim is there', () => document.getElementById('aim')?.checkVisibility());
   for (const part of pageNames.filter((name) => name !== 'park')) {

@@ -78,7 +78,7 @@ test('what becomes of a worker Korean says without an English word', () => {
   assert.ok(reasons.length > 3, `${reasons}`);
   for (const reason of reasons)
     for (const message of [`A worker was lost: ${reason}`, notStarted(reason).message])
-      assert.doesNotMatch(said(message).replace('(worker-src)', ''), latinWord);
+      assert.doesNotMatch(said(message).replace('(worker-src, sandbox)', ''), latinWord);
 });
 
 test('a J below the large one stands in one line with what it belongs to', () => {

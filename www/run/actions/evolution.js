@@ -4,7 +4,7 @@
 /** @import { Basis } from './basis.js' */
 import { lab as words } from '../../words/index.js';
 import { atEnd, fromStart } from '../clock.js';
-import { isFree } from '../guard.js';
+import { canStop, isFree } from '../guard.js';
 import { asked } from '../state.js';
 import { isReached, lastGeneration, paces, pausesAt, playsPhases, usualUntil } from '../pace.js';
 
@@ -151,7 +151,7 @@ function createPlay({ store, places, isStill, forget }, openPage) {
     /** What is under way is given up, and what is done stays. */
     stopComputing() {
       const { computing, catchingUp, generation } = store.get();
-      if (!computing && !catchingUp) return;
+      if ((!computing && !catchingUp) || !canStop(store.get())) return;
       forget();
       const message = words.stoppedText(computing?.what === 'begin' ? null : generation);
       store.update({ catchingUp: null, evolving: false, message });
