@@ -1,6 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from '../harness/once.js';
 import * as words from '../harness/words.js';
+import * as inEnglish from '../../../www/words/en/numbers.js';
+import * as inKorean from '../../../www/words/ko/numbers.js';
 import * as numbers from '../../../www/words/numbers.js';
 
 /** @type {Record<'en' | 'ko', any>} */
@@ -44,7 +46,7 @@ test('seconds are told as short as they are exact', () => {
     assert.ok(en.lab.outcomeText({ ...run, finalTime: seconds }).includes(` ${text} s`));
     assert.ok(ko.lab.outcomeText({ ...run, finalTime: seconds }).includes(`${text}초`));
     assert.equal(en.disturbance.lastText(seconds), `last ${text} s`);
-    assert.equal(ko.disturbance.lastText(seconds), `마지막 ${text} s`);
+    assert.equal(ko.disturbance.lastText(seconds), `마지막 ${text}초`);
   }
 });
 
@@ -78,4 +80,16 @@ test('a J that is told to be below another reads so', () => {
   assert.deepEqual(told(7.73, 7.6), ['7.600', '7.600']);
   assert.deepEqual(told(7.73, 7.72966), ['7.72966', '7.72966']);
   assert.deepEqual(told(7.73, 7.72999987), ['7.72999987', '7.72999987']);
+});
+
+test('how long it took is told in milliseconds, and in seconds from one second on', () => {
+  for (const [milliseconds, text] of /** @type {const} */ ([
+    [4, '4 ms'],
+    [999, '999 ms'],
+    [1000, '1.0 s'],
+    [36_462, '36.5 s'],
+  ])) {
+    assert.equal(inEnglish.tookText(milliseconds), text);
+    assert.equal(inKorean.tookText(milliseconds), text.replace(/ s$/, '초'));
+  }
 });
