@@ -9,12 +9,13 @@ import { byId } from './kit/elements.js';
 import { steadySliders } from './kit/finger.js';
 import { createFocusKeeper } from './kit/focus.js';
 import { isEmbedded, isStill } from './kit/host.js';
-import { createAccumulator, createApart, createFrameLoop, pause } from './kit/loop.js';
+import { createAccumulator, createApart, createFrameLoop, createTurns, pause } from './kit/loop.js';
+import { once } from './kit/memo.js';
 import { createComputing } from './lab/computing.js';
 import { createDraw } from './lab/draw.js';
 import { createPinButton } from './lab/pin-button.js';
 import { followSurroundings } from './lab/surroundings.js';
-import { createViews, sayTexts } from './lab/views.js';
+import { createHead, createViews, sayTexts } from './lab/views.js';
 import { links } from './lesson/links.js';
 import { askForLesson, createLesson } from './lesson/load.js';
 import { progressSlice } from './lesson/state.js';
@@ -55,10 +56,14 @@ function tell(error) {
   reportError(error);
 }
 
+/** Nothing of the beginning holds the browser for long. */
+const giveWay = createTurns(4, pause);
+
 /** The state, the actions that change it, and what of it is seen. @param {Engine} engine @param {Parameters<typeof createScene>[2]} drivesOf @param {() => void} redraw */
-function createRun(engine, drivesOf, redraw) {
+async function createRun(engine, drivesOf, redraw) {
   const paper = engine.paper();
   const first = firstState(engine, 'velocity-limits', isStill() ? atEnd : fromStart);
+  await giveWay();
   const store = createStore(first, redraw);
   const sight = createSight(createScene(engine.drive, paper, drivesOf), first, redraw, (error) =>
     store.update({ message: messageOf(error) }),
@@ -71,10 +76,10 @@ function createRun(engine, drivesOf, redraw) {
   return { actions, tools, sight, seenScene };
 }
 
-/** @typedef {ReturnType<typeof createRun>} Run */
+/** @typedef {Awaited<ReturnType<typeof createRun>>} Run */
 
 /** All that is seen, each thing drawn in its turn and apart from the others. @param {Run} run @param {() => void} redraw @param {() => ReturnType<typeof createAddress> | null} addressOf */
-function createSeen({ actions, tools, sight, seenScene }, redraw, addressOf) {
+async function createSeen({ actions, tools, sight, seenScene }, redraw, addressOf) {
   const { engine, store, paper } = tools;
   const apart = createApart(tell);
   /** What one of them asks for of its own may still be under way. @param {string} name @param {() => void} act */
@@ -82,59 +87,61 @@ function createSeen({ actions, tools, sight, seenScene }, redraw, addressOf) {
   const go = (/** @type {string} */ link) => addressOf()?.go(link);
   const onLesson = () => go(links.linkOfStep(store.get().lastStep));
   const order = [firstPage, 'lesson', ...links.pages.filter((name) => name !== firstPage)];
-  const draw = createDraw(createViews(store, tools.actions, order, onLesson), engine, paper, inSight, turn);
   steadySliders();
   const lesson = createLesson({ ...tools, go });
   const made = createParts(parts, tools, sight.renew);
-  const settings = createSettingsPanel(tools, inSight.lab);
   const exercise = createExercise({
     ...tools,
     places: parts.flatMap((part) => part.places ?? []),
     answersOf,
     onHandIn: (handed) => embed?.handIn(handed),
   });
+  const computingLine = createComputing(tools.actions);
+  const pinButton = createPinButton(tools, seenScene);
+  const keepFocus = createFocusKeeper(pressable);
+  await giveWay();
+  // At once, for what stands above everything is in sight already, and makes room for all of them.
+  const head = createHead(tools.actions, order, onLesson);
+  const settings = createSettingsPanel(tools, inSight.lab);
   const share = createShare({
     ...tools,
     sceneOf: seenScene,
     open: actions.openLinked,
     keepPlace: (next) => addressOf()?.keepPlace(next),
   });
-  const computingLine = createComputing(tools.actions);
-  const pinButton = createPinButton(tools, seenScene);
-  const keepFocus = createFocusKeeper(pressable);
+  const views = once(() => createViews(store, tools.actions));
+  const draw = createDraw(head, views, engine, paper, inSight);
+  await giveWay();
 
-  return {
-    made,
-    turn,
-    openChecks: share.openChecks,
-    open: () => Promise.all([made.open(store.get().page), lesson.open(store.get())]),
-
-    /** Draws what the state says, and lets the open part ask the workers for what it still lacks. */
-    show() {
-      const now = store.get();
-      const { state: driven, scene, isComputing } = sight.of(now);
-      const { robot, size, theme, message, evolving } = now;
-      const state = isComputing ? { ...driven, robot, size, theme, message, evolving } : now;
-      made.open(now.page);
-      lesson.open(now);
-      turn('computing', () => computingLine.draw(now));
-      turn('lab', () => draw(state, scene));
-      turn('lesson', () => lesson.draw(state, scene));
-      turn(state.page, () => made.of(state.page)?.draw(state, scene));
-      turn('exercise', () => exercise.draw(state, made.size, scene));
-      if (!isComputing) turn('address', () => addressOf()?.follow(state));
-      // What is being set, while its drives are still on their way.
-      turn('settings', () => settings.draw(now));
-      turn('embed', () => embed?.draw(state));
-      turn('share', () => share.draw(state));
-      turn('pins', () => pinButton.draw(state, scene));
-      keepFocus(headingOf(now));
-    },
-  };
+  /** Draws what the state says, one thing after the other, and lets the open part ask the workers for what it still lacks. @param {boolean} [isInSight] Else without what goes to its place. */
+  function* drawing(isInSight = true) {
+    const now = store.get();
+    const { state: driven, scene, isComputing } = sight.of(now);
+    const { robot, size, theme, message, evolving } = now;
+    const state = isComputing ? { ...driven, robot, size, theme, message, evolving } : now;
+    made.open(now.page);
+    lesson.open(now);
+    yield turn('computing', () => computingLine.draw(now));
+    for (const [name, act] of Object.entries(draw(state, scene))) yield turn(name, act);
+    if (isInSight) yield turn('lesson', () => lesson.draw(state, scene));
+    yield turn(state.page, () => made.of(state.page)?.draw(state, scene));
+    yield turn('exercise', () => exercise.draw(state, made.size, scene));
+    if (!isComputing) yield turn('address', () => addressOf()?.follow(state));
+    // What is being set, while its drives are still on their way.
+    yield turn('settings', () => settings.draw(now));
+    yield turn('embed', () => embed?.draw(state));
+    yield turn('share', () => share.draw(state));
+    yield turn('pins', () => pinButton.draw(state, scene));
+    if (isInSight) keepFocus(headingOf(now));
+  }
+  const open = () => Promise.all([made.open(store.get().page), lesson.open(store.get())]);
+  return { made, turn, openChecks: share.openChecks, open, drawing };
 }
 
-/** What time changes, and then what is seen of it; whether another frame is due. @param {Run} run @param {ReturnType<typeof createSeen>} seen */
-function createFrame({ actions, tools: { store } }, { made, turn, show }) {
+/** @typedef {Awaited<ReturnType<typeof createSeen>>} Seen */
+
+/** What time changes, and then what is seen of it; whether another frame is due. @param {Run} run @param {Seen} seen */
+function createFrame({ actions, tools: { store } }, { made, turn, drawing }) {
   const generations = createAccumulator();
 
   /** While so many milliseconds are not over. @param {number} milliseconds */
@@ -164,29 +171,32 @@ function createFrame({ actions, tools: { store } }, { made, turn, show }) {
     // First of all there is a picture.
     if (seconds > 0 && before.evolving && !before.dragging) actions.evolve(moreOf(before, seconds));
     actions.advance(seconds);
-    show();
+    for (const _ of drawing());
     const { evolving, computing, robot } = store.get();
     return evolving || computing !== null || robot.playing;
   };
 }
 
-/** What is not there yet of the open part is there, or cannot be, once this is resolved. It pauses, so that nothing holds the browser for long. @param {Engine} engine */
+/** What is not there yet of the open part is there, or cannot be, once this is resolved. @param {Engine} engine */
 async function start(engine) {
-  await pause();
-  /** @type {ReturnType<typeof createSeen> | null} */
+  await giveWay();
+  /** @type {Seen | null} */
   let seen = null;
   /** @type {ReturnType<typeof createAddress> | null} */
   let address = null;
   /** Once it is there: nothing of the first picture moves because the open part comes later. @type {ReturnType<typeof createFrame> | null} */
   let frame = null;
   const loop = createFrameLoop((seconds) => frame?.(seconds) ?? false);
-  const run = createRun(engine, (state) => seen?.made.of(state.page)?.drives?.(state) ?? null, loop.request);
-  await pause();
+  const run = await createRun(
+    engine,
+    (state) => seen?.made.of(state.page)?.drives?.(state) ?? null,
+    loop.request,
+  );
+  await giveWay();
   const { actions, tools, sight } = run;
   const { store } = tools;
-  seen = createSeen(run, loop.request, () => address);
-  const { open, show, openChecks } = seen;
-  await pause();
+  seen = await createSeen(run, loop.request, () => address);
+  const { open, drawing, openChecks } = seen;
   if (isEmbedded)
     embed = createEmbed({
       ...tools,
@@ -201,13 +211,18 @@ async function start(engine) {
   createKeys(openChecks);
   byId('fitness-table').addEventListener('click', () => showTable(fitnessTable(store.get())));
   address = createAddress({ ...tools, actions, slices: places.slices, firstPage });
-  await pause();
+  await giveWay();
   await open();
-  await pause();
+  await giveWay();
+  // Out of sight and piece by piece, so that the picture itself is made quickly.
+  for (const _ of drawing(false)) await giveWay();
   frame = createFrame(run, seen);
   takeInstead();
   byId('instrument').hidden = false;
   // At once, because the next frame may be late.
+  const show = () => {
+    for (const _ of drawing());
+  };
   show();
   followSurroundings(actions, show);
   embed?.begin(address.problems);

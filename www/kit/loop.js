@@ -71,12 +71,12 @@ export const pause = () =>
     port2.postMessage(null);
   });
 
-/** Lets the browser have its turn whenever so many milliseconds were taken. @param {number} milliseconds */
-export function createTurns(milliseconds) {
+/** Lets the browser have its turn whenever so many milliseconds were taken. @param {number} milliseconds @param {() => Promise<unknown>} [giveWay] */
+export function createTurns(milliseconds, giveWay = breathe) {
   let end = performance.now() + milliseconds;
   return async () => {
     if (performance.now() < end) return;
-    await breathe();
+    await giveWay();
     end = performance.now() + milliseconds;
   };
 }

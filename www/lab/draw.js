@@ -3,12 +3,13 @@
 /** @import { View } from '../kit/transform.js' */
 /** @import { Scene } from '../run/scene.js' */
 /** @import { State } from '../run/state.js' */
-/** @import { Views } from './views.js' */
+/** @import { Head, Views } from './views.js' */
 import { hasSigmas } from '../core/methods.js';
 import { byId, write } from '../kit/elements.js';
 import { remember } from '../kit/memo.js';
 import { createView } from '../kit/transform.js';
 import { gainsOf, sliderRange } from '../run/drivers.js';
+import { isEmpty, shownExercise } from '../run/exercise.js';
 import { isReached, pausesAt } from '../run/pace.js';
 import { asked, endsOf } from '../run/state.js';
 import { sigmas as sigmaWords, lab as strings } from '../words/index.js';
@@ -21,11 +22,11 @@ import { showMessage } from './views.js';
 /** Of the lab as a whole there are else only its head and its message; of the sliders, nothing; of what is paid of J, nothing at the path; with steps, what leads on stands elsewhere. @typedef {Record<'lab' | 'gains' | 'pays' | 'steps', (state: State) => boolean>} InSight */
 
 /**
- * @param {Views} views @param {Engine} engine @param {PaperResult[]} paper
- * @param {InSight} inSight
- * @param {(name: string, act: () => void) => void} turn Gives each view its turn.
+ * What there is to draw of a state, by its name.
+ * @param {Head} head @param {() => Views} viewsOf Made when the lab is first in sight.
+ * @param {Engine} engine @param {PaperResult[]} paper @param {InSight} inSight
  */
-export function createDraw(views, engine, paper, inSight, turn) {
+export function createDraw(head, viewsOf, engine, paper, inSight) {
   const viewOf = remember(createView);
   const isMoved = remember((/** @type {Experiment} */ experiment, /** @type {Preset} */ preset) => {
     const { starts, goal } = engine.experiment(preset);
@@ -34,6 +35,7 @@ export function createDraw(views, engine, paper, inSight, turn) {
 
   /** @param {State} state @param {Scene} scene @param {number} time */
   const drawPlane = (state, scene, time) => {
+    const views = viewsOf();
     if (state.size.width === 0) return;
     const view = viewOf(state.box, state.size);
     const ends = endsOf(state);
@@ -47,6 +49,7 @@ export function createDraw(views, engine, paper, inSight, turn) {
 
   /** @param {State} state @param {Scene} scene @returns {Record<string, () => void>} */
   const labOf = (state, scene) => {
+    const views = viewsOf();
     const { driver, experiment, history, generation, population, preset, robot, speed } = state;
     const { finalTime } = scene.driving;
     const time = Math.min(robot.time, finalTime);
@@ -91,19 +94,20 @@ export function createDraw(views, engine, paper, inSight, turn) {
     };
   };
 
-  /** @param {State} state @param {Scene} scene */
+  /** @param {State} state @param {Scene} scene @returns {Record<string, () => void>} */
   return (state, scene) => {
-    const due = { ...headOf(views, state), ...(inSight.lab(state) && labOf(state, scene)) };
-    for (const [name, drawOne] of Object.entries(due)) turn(name, drawOne);
+    // Before an exercise takes some of it away.
+    if (!isEmpty(shownExercise(state))) viewsOf();
+    return { ...headOf(head, state), ...(inSight.lab(state) && labOf(state, scene)) };
   };
 }
 
-/** What stands above all parts. @param {Views} views @param {State} state @returns {Record<string, () => void>} */
-const headOf = (views, state) => ({
+/** @param {Head} head @param {State} state @returns {Record<string, () => void>} */
+const headOf = (head, state) => ({
   message: () => showMessage(state.message),
-  pages: () => views.pages.draw(state.page, state.lesson, state.population.length),
-  pauseButton: () => views.pauseButton.draw(state.evolving),
-  preset: () => views.preset.draw(asked(state).preset),
+  pages: () => head.pages.draw(state.page, state.lesson, state.population.length),
+  pauseButton: () => head.pauseButton.draw(state.evolving),
+  preset: () => head.preset.draw(asked(state).preset),
 });
 
 /** The words that stand in a corner of the plane. */

@@ -15,6 +15,7 @@ import { language } from '../words/language.js';
 import { createPages } from './navigation.js';
 import { labSlice } from './state.js';
 
+/** @typedef {ReturnType<typeof createHead>} Head */
 /** @typedef {ReturnType<typeof createViews>} Views */
 
 /** @param {string} text */
@@ -42,45 +43,47 @@ export function sayTexts() {
   fillTexts(texts);
 }
 
-/** @param {import('../run/store.js').Store} store @param {Actions} actions @param {readonly string[]} pages @param {() => void} onLesson */
-export function createViews(store, actions, pages, onLesson) {
-  return {
-    pages: createPages(pages, byId('pages'), byId('tagline'), actions.openPage, onLesson),
-    preset: createSegmented(
-      byId('preset'),
-      strings.presetLegend,
-      listed(strings.presets),
-      actions.choosePreset,
-    ),
-    drivers: createSegmented(
-      byId('drives'),
-      strings.driverLegend,
-      listed(strings.drivers),
-      actions.chooseDriver,
-    ),
-    plane: createPlane(byId('plane-paths'), byId('plane-robots')),
-    handles: createHandles(byId('handles'), {
-      postureOf: actions.postureOf,
-      onMove: actions.movePosture,
-      onRelease: actions.releasePosture,
-    }),
-    notes: createNotes({ onRestore: actions.restorePostures }),
-    robotBar: createRobotBar(byId('robot-clock'), actions),
-    cost: createCost(byId('cost')),
-    curve: createCurve(byId('curve')),
-    sigmas: createSigmas(byId('sigmas')),
-    curveChoice: createSegmented(
-      byId('curve-choice'),
-      sigmaWords.curveLegend,
-      listed(sigmaWords.curveChoices),
-      (curve) => labSlice.update(store, { curve }),
-    ),
-    evolutionBar: createEvolutionBar(byId('evolving'), actions),
-    pauseButton: createPauseButton(byId('pause-evolution'), actions),
-    gains: createGains(byId('gains'), byId('gains-note'), {
-      onSlide: actions.slideGain,
-      onSlid: actions.driveAgain,
-      onType: actions.typeGain,
-    }),
-  };
-}
+/** What stands above all parts. @param {Actions} actions @param {readonly string[]} pages @param {() => void} onLesson */
+export const createHead = (actions, pages, onLesson) => ({
+  pages: createPages(pages, byId('pages'), byId('tagline'), actions.openPage, onLesson),
+  preset: createSegmented(
+    byId('preset'),
+    strings.presetLegend,
+    listed(strings.presets),
+    actions.choosePreset,
+  ),
+  pauseButton: createPauseButton(byId('pause-evolution'), actions),
+});
+
+/** @param {import('../run/store.js').Store} store @param {Actions} actions */
+export const createViews = (store, actions) => ({
+  drivers: createSegmented(
+    byId('drives'),
+    strings.driverLegend,
+    listed(strings.drivers),
+    actions.chooseDriver,
+  ),
+  plane: createPlane(byId('plane-paths'), byId('plane-robots')),
+  handles: createHandles(byId('handles'), {
+    postureOf: actions.postureOf,
+    onMove: actions.movePosture,
+    onRelease: actions.releasePosture,
+  }),
+  notes: createNotes({ onRestore: actions.restorePostures }),
+  robotBar: createRobotBar(byId('robot-clock'), actions),
+  cost: createCost(byId('cost')),
+  curve: createCurve(byId('curve')),
+  sigmas: createSigmas(byId('sigmas')),
+  curveChoice: createSegmented(
+    byId('curve-choice'),
+    sigmaWords.curveLegend,
+    listed(sigmaWords.curveChoices),
+    (curve) => labSlice.update(store, { curve }),
+  ),
+  evolutionBar: createEvolutionBar(byId('evolving'), actions),
+  gains: createGains(byId('gains'), byId('gains-note'), {
+    onSlide: actions.slideGain,
+    onSlid: actions.driveAgain,
+    onType: actions.typeGain,
+  }),
+});

@@ -65,3 +65,21 @@ pageTest('what is in sight while the page opens stays where it is', async (page)
     }
   }
 });
+
+pageTest(
+  'of the lab nothing is made before it is in sight, whatever an exercise hides of it',
+  async (page) => {
+    const made = () => page.evaluate(() => document.querySelectorAll(':is(#drives, #gains) input').length);
+    await page.open('');
+    assert.equal(await made(), 0);
+    await page.click('#page-lab');
+    await page.until('it is there', () => document.getElementById('drives-evolved')?.checkVisibility());
+    const all = await made();
+    assert.ok(all > 6, `${all} inputs`);
+    await page.open('#park&v=1&hide=gains,drives,clock,run');
+    await page.click('#page-lab');
+    await page.until('it is there', () => document.getElementById('cost')?.checkVisibility());
+    assert.equal(await made(), 0);
+    assert.deepEqual(await page.problems(), []);
+  },
+);
