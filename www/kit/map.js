@@ -110,15 +110,16 @@ export function followPointer(element, onPoint) {
 /**
  * What keys do with a cursor.
  * @param {HTMLElement} element
- * @param {{ onStep: (step: readonly [right: number, up: number], isWide: boolean) => void, onEnter?: () => void, onEscape: () => void }} on
+ * @param {{ onStep: (step: readonly [right: number, up: number], isWide: boolean) => void, onEnter?: () => void, onEscape: () => boolean }} on `onEscape`: whether there was anything to take back; else Escape is for others.
  */
 export function followKeys(element, { onStep, onEnter, onEscape }) {
   element.addEventListener('keydown', (event) => {
     if (isChord(event)) return;
     const step = arrowOf(event.key);
     if (step) onStep(step, event.shiftKey);
-    else if (event.key === 'Escape') return onEscape();
-    else if (onEnter && (event.key === 'Enter' || event.key === ' ')) onEnter();
+    else if (event.key === 'Escape') {
+      if (!onEscape()) return;
+    } else if (onEnter && (event.key === 'Enter' || event.key === ' ')) onEnter();
     else return;
     event.preventDefault();
   });

@@ -83,7 +83,7 @@ pageTest('evolution stops at the first J below the one that is asked for', async
   }
   await choose(page, 'until', 'until J is below');
   await typeUntil(page, '7', '.', '9', Key.ENTER);
-  await choose(page, 'pace', '60 generations/s');
+  await choose(page, 'pace', '60 gen/s');
   await page.click('#run');
   await rests(page);
   assert.deepEqual(await readEvolution(page), seedOne(generation));
@@ -194,7 +194,7 @@ pageTest('one phase at a time Run plays the generations, and comes to the same',
 });
 
 pageTest('the pace is changed while evolution runs, also in the generation part', async (page) => {
-  await choose(page, 'pace', '1 generation/s');
+  await choose(page, 'pace', '1 gen/s');
   await page.click('#run');
   await page.until('generation 1', () => document.getElementById('generation')?.textContent !== '0');
   await notePhases(page);

@@ -106,6 +106,21 @@ pageTest('a link with something wrong says what, and opens the rest', async (pag
   assert.deepEqual({ seed, generation }, { seed: '7', generation: '0' });
 });
 
+pageTest('Escape takes the cursor of a map away, and only then stops what a link waits for', async (page) => {
+  await page.visit(`${page.site.address}#landscape&v=1&generation=99999`);
+  const isWaiting = () => document.getElementById('computing')?.checkVisibility();
+  await page.until('it waits', isWaiting);
+  await page.focus('#landscape-map');
+  await page.press(Key.ARROW_RIGHT, Key.ESCAPE);
+  // What Escape stops is no longer waited for at once.
+  assert.equal(await page.evaluate(isWaiting), true);
+  assert.equal(await page.text('#message'), '');
+  await page.press(Key.ESCAPE);
+  await page.until('it has stopped', () =>
+    /^Stopped/.test(document.getElementById('message')?.textContent ?? ''),
+  );
+});
+
 pageTest('a link far into a run says how far it has come, and Escape leaves it there', async (page) => {
   await page.visit(`${page.site.address}#lab&v=1&generation=99999`);
   const said = await page.until('it says how far it is', () => {

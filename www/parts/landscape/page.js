@@ -155,7 +155,11 @@ function followCursor(element, store, actions, modelOf) {
       drive(/** @type {[number, number]} */ (current(modelOf())));
       actions.driveAgain();
     },
-    onEscape: () => put(null),
+    onEscape() {
+      const { cursor } = modelOf();
+      put(null);
+      return cursor !== null;
+    },
     onStep([right, up], isWide) {
       const model = modelOf();
       const { x, y } = axesOf(model);

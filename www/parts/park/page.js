@@ -43,7 +43,11 @@ export function createPage(tools) {
   });
   followKeys(plane, {
     onStep: async ([right, up]) => (await later.bring())?.step(right - up > 0 ? 1 : -1),
-    onEscape: () => parkSlice.update(store, { looked: null }),
+    onEscape() {
+      const { looked } = parkSlice.of(store.get());
+      parkSlice.update(store, { looked: null });
+      return looked !== null;
+    },
   });
 
   const changed = watch();

@@ -141,7 +141,11 @@ function followCursor(element, store, actions, size) {
     });
   followKeys(element, {
     onEnter: () => driveFrom(own().cursor ?? watched()),
-    onEscape: () => put(null),
+    onEscape() {
+      const { cursor } = own();
+      put(null);
+      return cursor !== null;
+    },
     onStep(step, isWide) {
       const { survey, cursor } = own();
       if (!survey) return;

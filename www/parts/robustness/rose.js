@@ -28,7 +28,11 @@ export function createRose(root, { chosen, onChoose, onPoint }) {
   });
   followPointing(root, (event) => onPoint(event && headingAt(event)));
   followKeys(root, {
-    onEscape: () => onChoose(null),
+    onEscape() {
+      const heading = chosen();
+      onChoose(null);
+      return heading !== null;
+    },
     // Headings are counted to the left.
     onStep: ([right, up]) => onChoose(((chosen() ?? 0) + up - right + headings) % headings),
   });

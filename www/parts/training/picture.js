@@ -22,7 +22,7 @@ const margin = 0.3;
 /** As near as a press must come to a start, in pixels. */
 const nearest = 18;
 /** So strong, and so large, is what does not arrive, beside what does. */
-const missing = { alpha: 0.4, size: 0.75 };
+const missing = { alpha: 0.65, size: 0.75 };
 
 /** @param {HTMLCanvasElement} canvas `radius`: metres around the goal that are shown. @param {{ radius: number, onTry: (start: Posture) => void, onSize: () => void }} options */
 export function createPicture(canvas, { radius, onTry, onSize }) {

@@ -75,9 +75,7 @@ export function createMaker({ engine, store, actions, links, paper }) {
     copyLink: () => copy('maker-link', words.copied, words.notCopied).then(say),
     copyFrame: () => copy('maker-frame', words.textCopied, words.textNotCopied).then(say),
   };
-  panel.addEventListener('keydown', ({ key }) => {
-    if (key === 'Escape') close();
-  });
+  followEscape(panel, close);
 
   const draftIn = createDrafts();
   const openChanged = watch();
@@ -128,6 +126,15 @@ export function createMaker({ engine, store, actions, links, paper }) {
       if (isOther) byId('maker-task').focus();
     },
   };
+}
+
+/** Then Escape is for nothing else. @param {HTMLElement} panel @param {() => void} close */
+function followEscape(panel, close) {
+  panel.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape') return;
+    event.preventDefault();
+    close();
+  });
 }
 
 /** What students get: as it is on screen, but drawn for nobody yet, and driven by what may be seen. @param {State} state @param {Exercise} draft @param {readonly PaperResult[]} paper @returns {Linked} */

@@ -192,11 +192,7 @@ export const pauseEvolution = 'Pause';
 
 /** @param {number} pace Generations in a second; with 0 it is one phase at a time. */
 export const paceText = (pace) =>
-  pace === 0
-    ? 'one phase at a time'
-    : Number.isFinite(pace)
-      ? `${counted(pace, 'generation', 'generations')}/s`
-      : 'fastest';
+  pace === 0 ? 'one phase at a time' : Number.isFinite(pace) ? `${pace} gen/s` : 'fastest';
 
 /** @type {readonly (readonly [kind: Until['kind'], text: string])[]} */
 export const untils = [
