@@ -45,7 +45,7 @@ let wasmModule, wasmInstance, wasm = absent;`,
   ],
 ];
 
-const end = `/** The core's address or answer, or its bytes; the file beside this one if it is left out. */
+const end = `/** The core's address (under Node a URL of file:, no path) or answer, or its bytes; the file beside this one if it is left out. */
 export type InitInput = string | { readonly href: string } | { arrayBuffer(): Promise<ArrayBuffer> } | ArrayBuffer | ArrayBufferView | object;
 
 /** What the core lives in. */

@@ -1,18 +1,18 @@
 // Wires the page: experiment → engine → views. The views get numbers and draw them.
 /** @import { Engine } from './core/engine.js' */
+/** @import { Scene } from './run/scene.js' */
 /** @import { State } from './run/state.js' */
 import { createEngine } from './core/engine.js';
 import { tryNow } from './core/pending.js';
-import { createEmbed, sayFailed } from './embed/page.js';
+import { sayFailed } from './embed/post.js';
 import { takeInstead, showInstead, watchCore } from './instead.js';
 import { byId } from './kit/elements.js';
 import { steadySliders } from './kit/finger.js';
 import { createFocusKeeper } from './kit/focus.js';
 import { isEmbedded, isStill } from './kit/host.js';
 import { createAccumulator, createApart, createFrameLoop, createTurns, pause } from './kit/loop.js';
-import { once } from './kit/memo.js';
 import { createComputing } from './lab/computing.js';
-import { createDraw } from './lab/draw.js';
+import { createDraw, headOf } from './lab/draw.js';
 import { createPinButton } from './lab/pin-button.js';
 import { followSurroundings } from './lab/surroundings.js';
 import { createHead, createViews, sayTexts } from './lab/views.js';
@@ -47,7 +47,9 @@ const headingOf = ({ lesson, page }) =>
 /** To the questions of the lesson. @param {State} state */
 const answersOf = (state) => progressSlice.of(state).answers;
 
-/** What speaks to the page around a figure. @type {ReturnType<typeof createEmbed> | null} */
+/** Loaded where the page is a figure. */
+const loadEmbed = () => import('./embed/page.js');
+/** What speaks to the page around a figure. @type {ReturnType<Awaited<ReturnType<typeof loadEmbed>>['createEmbed']> | null} */
 let embed = null;
 
 /** Of a core that is lost nothing more is drawn. @param {unknown} error */
@@ -56,7 +58,7 @@ function tell(error) {
   reportError(error);
 }
 
-/** Nothing of the beginning holds the browser for long. */
+/** While the page opens nothing holds the browser for long; timers would make each pause 4 ms long. */
 const giveWay = createTurns(4, pause);
 
 /** The state, the actions that change it, and what of it is seen. @param {Engine} engine @param {Parameters<typeof createScene>[2]} drivesOf @param {() => void} redraw */
@@ -78,9 +80,9 @@ async function createRun(engine, drivesOf, redraw) {
 
 /** @typedef {Awaited<ReturnType<typeof createRun>>} Run */
 
-/** All that is seen, each thing drawn in its turn and apart from the others. @param {Run} run @param {() => void} redraw @param {() => ReturnType<typeof createAddress> | null} addressOf */
+/** All that shows something of the run, or changes it. @param {Run} run @param {() => void} redraw @param {() => ReturnType<typeof createAddress> | null} addressOf */
 async function createSeen({ actions, tools, sight, seenScene }, redraw, addressOf) {
-  const { engine, store, paper } = tools;
+  const { store } = tools;
   const apart = createApart(tell);
   /** What one of them asks for of its own may still be under way. @param {string} name @param {() => void} act */
   const turn = (name, act) => apart(name, () => tryNow(act, redraw));
@@ -98,9 +100,8 @@ async function createSeen({ actions, tools, sight, seenScene }, redraw, addressO
   });
   const computingLine = createComputing(tools.actions);
   const pinButton = createPinButton(tools, seenScene);
-  const keepFocus = createFocusKeeper(pressable);
   await giveWay();
-  // At once, for what stands above everything is in sight already, and makes room for all of them.
+  // These three in one piece: they stand side by side above the page, in sight already, and each moves the others.
   const head = createHead(tools.actions, order, onLesson);
   const settings = createSettingsPanel(tools, inSight.lab);
   const share = createShare({
@@ -109,39 +110,75 @@ async function createSeen({ actions, tools, sight, seenScene }, redraw, addressO
     open: actions.openLinked,
     keepPlace: (next) => addressOf()?.keepPlace(next),
   });
-  const views = once(() => createViews(store, tools.actions));
-  const draw = createDraw(head, views, engine, paper, inSight);
   await giveWay();
-
-  /** Draws what the state says, one thing after the other, and lets the open part ask the workers for what it still lacks. @param {boolean} [isInSight] Else without what goes to its place. */
-  function* drawing(isInSight = true) {
-    const now = store.get();
-    const { state: driven, scene, isComputing } = sight.of(now);
-    const { robot, size, theme, message, evolving } = now;
-    const state = isComputing ? { ...driven, robot, size, theme, message, evolving } : now;
-    made.open(now.page);
-    lesson.open(now);
-    yield turn('computing', () => computingLine.draw(now));
-    for (const [name, act] of Object.entries(draw(state, scene))) yield turn(name, act);
-    if (isInSight) yield turn('lesson', () => lesson.draw(state, scene));
-    yield turn(state.page, () => made.of(state.page)?.draw(state, scene));
-    yield turn('exercise', () => exercise.draw(state, made.size, scene));
-    if (!isComputing) yield turn('address', () => addressOf()?.follow(state));
-    // What is being set, while its drives are still on their way.
-    yield turn('settings', () => settings.draw(now));
-    yield turn('embed', () => embed?.draw(state));
-    yield turn('share', () => share.draw(state));
-    yield turn('pins', () => pinButton.draw(state, scene));
-    if (isInSight) keepFocus(headingOf(now));
-  }
-  const open = () => Promise.all([made.open(store.get().page), lesson.open(store.get())]);
-  return { made, turn, openChecks: share.openChecks, open, drawing };
+  return { turn, lesson, made, exercise, computingLine, pinButton, head, settings, share };
 }
 
 /** @typedef {Awaited<ReturnType<typeof createSeen>>} Seen */
 
-/** What time changes, and then what is seen of it; whether another frame is due. @param {Run} run @param {Seen} seen */
-function createFrame({ actions, tools: { store } }, { made, turn, drawing }) {
+/** What the state says is drawn, each thing in its turn and apart from the others. @param {Run} run @param {Seen} seen @param {() => ReturnType<typeof createAddress> | null} addressOf */
+function createShow({ tools, sight }, seen, addressOf) {
+  const { engine, store, paper, actions } = tools;
+  const { turn, lesson, made, exercise, computingLine, pinButton, head, settings, share } = seen;
+  const drawLab = createDraw(() => createViews(store, actions), engine, paper, inSight);
+  const keepFocus = createFocusKeeper(pressable);
+
+  /** `state`: that of which everything is there; `now`: what is asked for. */
+  const toDraw = () => {
+    const now = store.get();
+    const { state: driven, scene, isComputing } = sight.of(now);
+    const { robot, size, theme, message, evolving } = now;
+    const state = isComputing ? { ...driven, robot, size, theme, message, evolving } : now;
+    return { now, state, scene, isComputing };
+  };
+  /** Each view by its name. @param {State} state @param {Scene} scene */
+  const labOf = (state, scene) => {
+    /** @type {Record<string, () => void>} */
+    let views = {};
+    turn('lab', () => {
+      views = drawLab(state, scene);
+    });
+    return Object.entries(views);
+  };
+  /** @param {State} state @param {Scene} scene */
+  const drawPart = (state, scene) => turn(state.page, () => made.of(state.page)?.draw(state, scene));
+
+  return {
+    /** Makes and draws piece by piece what is not in sight yet, so that the first picture takes less at once. */
+    async prepare() {
+      const { state, scene } = toDraw();
+      for (const [name, act] of labOf(state, scene)) {
+        turn(name, act);
+        await giveWay();
+      }
+      drawPart(state, scene);
+      await giveWay();
+    },
+
+    /** The open part asks the workers for what it still lacks. */
+    show() {
+      const { now, state, scene, isComputing } = toDraw();
+      made.open(now.page);
+      lesson.open(now);
+      turn('computing', () => computingLine.draw(now));
+      for (const [name, act] of [...headOf(head, state), ...labOf(state, scene)]) turn(name, act);
+      turn('pauseButton', () => head.pauseButton.draw(state.evolving));
+      turn('lesson', () => lesson.draw(state, scene));
+      drawPart(state, scene);
+      turn('exercise', () => exercise.draw(state, made.size, scene));
+      if (!isComputing) turn('address', () => addressOf()?.follow(state));
+      // What is being set, while its drives are still on their way.
+      turn('settings', () => settings.draw(now));
+      turn('embed', () => embed?.draw(state));
+      turn('share', () => share.draw(state));
+      turn('pins', () => pinButton.draw(state, scene));
+      keepFocus(headingOf(now));
+    },
+  };
+}
+
+/** What time changes, and then what is seen of it; whether another frame is due. @param {Run} run @param {Seen} seen @param {() => void} show */
+function createFrame({ actions, tools: { store } }, { made, turn }, show) {
   const generations = createAccumulator();
 
   /** While so many milliseconds are not over. @param {number} milliseconds */
@@ -171,7 +208,7 @@ function createFrame({ actions, tools: { store } }, { made, turn, drawing }) {
     // First of all there is a picture.
     if (seconds > 0 && before.evolving && !before.dragging) actions.evolve(moreOf(before, seconds));
     actions.advance(seconds);
-    for (const _ of drawing());
+    show();
     const { evolving, computing, robot } = store.get();
     return evolving || computing !== null || robot.playing;
   };
@@ -195,9 +232,21 @@ async function start(engine) {
   await giveWay();
   const { actions, tools, sight } = run;
   const { store } = tools;
-  seen = await createSeen(run, loop.request, () => address);
-  const { open, drawing, openChecks } = seen;
-  if (isEmbedded)
+  const addressNow = () => address;
+  seen = await createSeen(run, loop.request, addressNow);
+  const { made, lesson, share } = seen;
+  const { show, prepare } = createShow(run, seen, addressNow);
+
+  byId('plane-robots').setAttribute('aria-label', words.planeLabel);
+  createKeys(share.openChecks);
+  byId('fitness-table').addEventListener('click', () => showTable(fitnessTable(store.get())));
+  address = createAddress({ ...tools, actions, slices: places.slices, firstPage });
+  await giveWay();
+  await Promise.all([made.open(store.get().page), lesson.open(store.get())]);
+  await giveWay();
+  await prepare();
+  if (isEmbedded) {
+    const { createEmbed } = await loadEmbed();
     embed = createEmbed({
       ...tools,
       actions,
@@ -206,23 +255,11 @@ async function start(engine) {
       whenSeen: () => sight.whenSeen(store.get),
       shapes: parts,
     });
-
-  byId('plane-robots').setAttribute('aria-label', words.planeLabel);
-  createKeys(openChecks);
-  byId('fitness-table').addEventListener('click', () => showTable(fitnessTable(store.get())));
-  address = createAddress({ ...tools, actions, slices: places.slices, firstPage });
-  await giveWay();
-  await open();
-  await giveWay();
-  // Out of sight and piece by piece, so that the picture itself is made quickly.
-  for (const _ of drawing(false)) await giveWay();
-  frame = createFrame(run, seen);
+  }
+  frame = createFrame(run, seen, show);
   takeInstead();
   byId('instrument').hidden = false;
   // At once, because the next frame may be late.
-  const show = () => {
-    for (const _ of drawing());
-  };
   show();
   followSurroundings(actions, show);
   embed?.begin(address.problems);
@@ -247,6 +284,7 @@ async function begin() {
     // Side by side with the core.
     askFor(parts, location.hash || `#${firstPage}`);
     askForLesson(location.hash);
+    if (isEmbedded) loadEmbed().catch(() => {});
     await start(await createEngine());
   } catch (error) {
     const why = showInstead(error);

@@ -73,7 +73,7 @@ macro_rules! calls {
                 let gains = Gains::read_one(gains)?;
                 Columns(study::remaining_errors(setting, &gains, seconds)?)
             }
-            "Evolution with many seeds, beside random search with the same number of drives."
+            "The method of the experiment with many seeds, beside random search with the same number of drives."
             seed_runs "seedRuns"(seeds: "SeedRuns") -> Vec<SeedRun> as "SeedRun[]" {
                 let SeedRuns { seeds, generations } = SeedRuns::read(seeds)?;
                 study::seed_runs(setting, seeds, generations)?

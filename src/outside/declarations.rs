@@ -55,8 +55,8 @@ pub fn declarations() -> String {
 /// What may be given for an experiment; the only type that no value has.
 const PARTIAL: &str = "\
 /**
- * An experiment in which any field may be left out; the preset `velocity-limits` fills it in, or with
- * `experiment(partial, preset)` another. Starts may be their numbers side by side.
+ * An experiment in which any field may be left out. The preset of which a spread copy was made fills it in, else
+ * `velocity-limits`; with `experiment(partial, preset)` the one that is named. Starts may be their numbers side by side.
  */
 export type PartialExperiment = {
   [K in keyof Experiment]?: K extends 'starts' ? readonly Partial<Posture>[] | Float64Array

@@ -68,7 +68,7 @@ told! {
         "ellipse" => |record| record.making.ellipse.as_ref(),
         /// For each of the 2N solutions, whom it met in the tournament; empty without one.
         "opponents" => |record| &record.tournament.opponents,
-        /// For each of the 2N solutions, how many bouts it won.
+        /// For each of the 2N solutions, how many bouts it won; empty without a tournament.
         "wins" => |record| &record.tournament.wins,
         /// All of them, best ranked first: most wins first, then lower J, then lower number. Without a tournament those that
         /// survive come first, each part by J.

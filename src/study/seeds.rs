@@ -1,4 +1,4 @@
-//! Evolution with many seeds, beside random search.
+//! A method of search with many seeds, beside random search.
 
 use super::part::validate_part;
 use super::searches::{check_searches, step_together};

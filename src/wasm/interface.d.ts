@@ -294,7 +294,7 @@ export interface GenerationRecord {
   ellipse: Ellipse | null;
   /** For each of the 2N solutions, whom it met in the tournament; empty without one. */
   opponents: number[][];
-  /** For each of the 2N solutions, how many bouts it won. */
+  /** For each of the 2N solutions, how many bouts it won; empty without a tournament. */
   wins: number[];
   /**
    * All of them, best ranked first: most wins first, then lower J, then lower number. Without a tournament those that
@@ -617,8 +617,8 @@ export interface PaperResult {
 /** How the paper found its gains: by evolutionary programming, or as "arbitrarily selected positive values". */
 export type PaperMethod = 'ep' | 'arbitrary';
 /**
- * An experiment in which any field may be left out; the preset `velocity-limits` fills it in, or with
- * `experiment(partial, preset)` another. Starts may be their numbers side by side.
+ * An experiment in which any field may be left out. The preset of which a spread copy was made fills it in, else
+ * `velocity-limits`; with `experiment(partial, preset)` the one that is named. Starts may be their numbers side by side.
  */
 export type PartialExperiment = {
   [K in keyof Experiment]?: K extends 'starts' ? readonly Partial<Posture>[] | Float64Array

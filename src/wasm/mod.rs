@@ -164,7 +164,7 @@ impl Simulation {
     }
 }
 
-/// A run of evolutionary programming that remembers every generation.
+/// A run of evolutionary programming, or of a rival, that remembers every generation.
 #[wasm_bindgen]
 pub struct Evolution(study::Evolution);
 

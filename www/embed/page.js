@@ -7,30 +7,11 @@ import { watch } from '../kit/memo.js';
 import { embed as words, texts } from '../words/index.js';
 import { addressOf, isHeldByElement } from '../kit/host.js';
 import { version, wantedHeight } from './frame.js';
+import { listen, post } from './post.js';
 import { createMessages } from './messages.js';
-import { idIn, isForFigure, shortError } from './told.js';
 
 /** What is handed in: the receipt, with what it comes to where it is judged, the address that opens it, and its text. @typedef {{ receipt: { who: string, exercise: string, gains: readonly number[], there: { cost: number, parked: number, starts: number }, drives: number, minutes: number, judged: { isMet: boolean, points: number | null, most: number | null } | null }, address: string, text: string }} HandedIn */
 /** @typedef {Parameters<typeof createMessages>[0] & { shapes: Parameters<typeof wantedHeight>[0] }} Parts `shapes` of the parts of the page. */
-
-/** A figure holds nothing that its host may not know, whoever that is; one that was taken away has none. @param {object} message */
-const post = (message) => {
-  if (parent !== window) parent?.postMessage(message, '*');
-};
-
-/** Only who holds the frame has a say in it. @param {(message: unknown) => void} hear */
-const listen = (hear) =>
-  addEventListener('message', ({ source, data }) => {
-    if (source === parent && parent !== window) hear(data);
-  });
-
-/** In the place of a figure that cannot begin: why, at once and to whoever asks. @param {string} why */
-export function sayFailed(why) {
-  const refuse = (/** @type {object} */ named) =>
-    post({ ep: version, type: 'error', ...named, message: shortError(why) });
-  refuse({});
-  listen((message) => isForFigure(message) && refuse(idIn(message)));
-}
 
 /** @param {Parts} parts */
 export function createEmbed(parts) {

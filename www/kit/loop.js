@@ -71,12 +71,12 @@ export const pause = () =>
     port2.postMessage(null);
   });
 
-/** Lets the browser have its turn whenever so many milliseconds were taken. @param {number} milliseconds @param {() => Promise<unknown>} [giveWay] */
-export function createTurns(milliseconds, giveWay = breathe) {
+/** Lets the browser have its turn whenever so many milliseconds were taken. @param {number} milliseconds @param {() => Promise<unknown>} [letOthers] */
+export function createTurns(milliseconds, letOthers = breathe) {
   let end = performance.now() + milliseconds;
   return async () => {
     if (performance.now() < end) return;
-    await giveWay();
+    await letOthers();
     end = performance.now() + milliseconds;
   };
 }

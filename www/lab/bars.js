@@ -79,7 +79,7 @@ export function createPauseButton(button, { pauseEvolution }) {
   return {
     /** @param {boolean} evolving */
     draw(evolving) {
-      button.hidden = !evolving || document.getElementById('run')?.checkVisibility() !== false;
+      button.hidden = !evolving || document.getElementById('run')?.checkVisibility() === true;
     },
   };
 }

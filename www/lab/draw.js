@@ -6,10 +6,10 @@
 /** @import { Head, Views } from './views.js' */
 import { hasSigmas } from '../core/methods.js';
 import { byId, write } from '../kit/elements.js';
-import { remember } from '../kit/memo.js';
+import { once, remember } from '../kit/memo.js';
 import { createView } from '../kit/transform.js';
 import { gainsOf, sliderRange } from '../run/drivers.js';
-import { isEmpty, shownExercise } from '../run/exercise.js';
+import { shownExercise } from '../run/exercise.js';
 import { isReached, pausesAt } from '../run/pace.js';
 import { asked, endsOf } from '../run/state.js';
 import { sigmas as sigmaWords, lab as strings } from '../words/index.js';
@@ -22,20 +22,20 @@ import { showMessage } from './views.js';
 /** Of the lab as a whole there are else only its head and its message; of the sliders, nothing; of what is paid of J, nothing at the path; with steps, what leads on stands elsewhere. @typedef {Record<'lab' | 'gains' | 'pays' | 'steps', (state: State) => boolean>} InSight */
 
 /**
- * What there is to draw of a state, by its name.
- * @param {Head} head @param {() => Views} viewsOf Made when the lab is first in sight.
+ * What there is to draw of the lab, each view by its name.
+ * @param {() => Views} createViews Called when the lab is first in sight, or an exercise first hides some of it.
  * @param {Engine} engine @param {PaperResult[]} paper @param {InSight} inSight
  */
-export function createDraw(head, viewsOf, engine, paper, inSight) {
+export function createDraw(createViews, engine, paper, inSight) {
+  const viewsNow = once(createViews);
   const viewOf = remember(createView);
   const isMoved = remember((/** @type {Experiment} */ experiment, /** @type {Preset} */ preset) => {
     const { starts, goal } = engine.experiment(preset);
     return JSON.stringify([experiment.starts, experiment.goal]) !== JSON.stringify([starts, goal]);
   });
 
-  /** @param {State} state @param {Scene} scene @param {number} time */
-  const drawPlane = (state, scene, time) => {
-    const views = viewsOf();
+  /** @param {Views} views @param {State} state @param {Scene} scene @param {number} time */
+  const drawPlane = (views, state, scene, time) => {
     if (state.size.width === 0) return;
     const view = viewOf(state.box, state.size);
     const ends = endsOf(state);
@@ -49,13 +49,13 @@ export function createDraw(head, viewsOf, engine, paper, inSight) {
 
   /** @param {State} state @param {Scene} scene @returns {Record<string, () => void>} */
   const labOf = (state, scene) => {
-    const views = viewsOf();
+    const views = viewsNow();
     const { driver, experiment, history, generation, population, preset, robot, speed } = state;
     const { finalTime } = scene.driving;
     const time = Math.min(robot.time, finalTime);
     return {
       drivers: () => views.drivers.draw(driver),
-      plane: () => drawPlane(state, scene, time),
+      plane: () => drawPlane(views, state, scene, time),
       robotBar: () => views.robotBar.draw({ time, finalTime, playing: robot.playing, speed }),
       cost: () =>
         views.cost.draw({
@@ -94,21 +94,20 @@ export function createDraw(head, viewsOf, engine, paper, inSight) {
     };
   };
 
-  /** @param {State} state @param {Scene} scene @returns {Record<string, () => void>} */
+  /** @param {State} state @param {Scene} scene */
   return (state, scene) => {
-    // Before an exercise takes some of it away.
-    if (!isEmpty(shownExercise(state))) viewsOf();
-    return { ...headOf(head, state), ...(inSight.lab(state) && labOf(state, scene)) };
+    // Before they are taken out of the document, where they would not be found.
+    if (shownExercise(state).hidden.length > 0) viewsNow();
+    return inSight.lab(state) ? labOf(state, scene) : {};
   };
 }
 
-/** @param {Head} head @param {State} state @returns {Record<string, () => void>} */
-const headOf = (head, state) => ({
-  message: () => showMessage(state.message),
-  pages: () => head.pages.draw(state.page, state.lesson, state.population.length),
-  pauseButton: () => head.pauseButton.draw(state.evolving),
-  preset: () => head.preset.draw(asked(state).preset),
-});
+/** What stands above all parts, by its name. @param {Head} head @param {State} state @returns {[string, () => void][]} */
+export const headOf = (head, state) => [
+  ['message', () => showMessage(state.message)],
+  ['pages', () => head.pages.draw(state.page, state.lesson, state.population.length)],
+  ['preset', () => head.preset.draw(asked(state).preset)],
+];
 
 /** The words that stand in a corner of the plane. */
 const placeWords = remember(

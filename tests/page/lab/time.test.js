@@ -223,3 +223,21 @@ pageTest('from the phases that Run plays, "back" leads to where it was pressed',
   assert.equal(await page.text('#run'), 'Run');
   assert.deepEqual(await readEvolution(page), seedOne(0));
 });
+
+pageTest(
+  'what runs on beside Park is paused in the head, also where the lab was never seen',
+  async (page) => {
+    await page.open('#lab&v=1');
+    await choose(page, 'pace', '1 gen/s');
+    await page.click('#run');
+    await page.click('#page-park');
+    const canPause = () => document.getElementById('pause-evolution')?.checkVisibility();
+    await page.until('it can be paused', canPause);
+    // The page is loaded again, and goes on.
+    await page.click('#language');
+    await page.until('it is Korean', () => document.documentElement.lang === 'ko');
+    await page.until('it can be paused', canPause);
+    await page.click('#pause-evolution');
+    await page.until('it is', () => document.getElementById('pause-evolution')?.hidden);
+  },
+);

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { gzipSync } from 'node:zlib';
 import { pageTest } from '../harness/browsers.js';
+import { serve } from '../harness/server.js';
 
 /** The address alone opens the parking place. @type {readonly (readonly [fragment: string, bytes: number])[]} */
 const budgets = [
@@ -66,20 +67,60 @@ pageTest('what is in sight while the page opens stays where it is', async (page)
   }
 });
 
+/** Whether the head ever told of a part whose picture was not there. */
+const watched = `
+  new MutationObserver(() => {
+    const { dataset } = document.documentElement;
+    dataset.early = String(dataset.early === 'true' || document.getElementById('instrument').hidden);
+  }).observe(document, { subtree: true, attributeFilter: ['data-open', 'data-lesson'] });`;
+
+pageTest('the head changes together with the picture, so that nothing below it jumps', async (page) => {
+  const site = await serve(undefined, { before: watched });
+  try {
+    for (const fragment of ['', '#training', '#lesson&step=3']) {
+      await page.leave();
+      await page.visit(site.address + fragment);
+      await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
+      assert.equal(await page.evaluate(() => document.documentElement.dataset.early), 'false', fragment);
+    }
+  } finally {
+    await page.leave();
+    await site.close();
+  }
+});
+
 pageTest(
-  'of the lab nothing is made before it is in sight, whatever an exercise hides of it',
+  'of the lab nothing is made before it is in sight, or an exercise hides some of it',
   async (page) => {
     const made = () => page.evaluate(() => document.querySelectorAll(':is(#drives, #gains) input').length);
-    await page.open('');
-    assert.equal(await made(), 0);
-    await page.click('#page-lab');
-    await page.until('it is there', () => document.getElementById('drives-evolved')?.checkVisibility());
+    const openLab = async () => {
+      await page.click('#page-lab');
+      await page.until('it is there', () => document.getElementById('cost')?.checkVisibility());
+    };
+    for (const fragment of ['', '#park&v=1&lock=gains&task=Park.']) {
+      await page.open(fragment);
+      assert.equal(await made(), 0, fragment);
+    }
+    await openLab();
     const all = await made();
     assert.ok(all > 6, `${all} inputs`);
     await page.open('#park&v=1&hide=gains,drives,clock,run');
-    await page.click('#page-lab');
-    await page.until('it is there', () => document.getElementById('cost')?.checkVisibility());
+    await openLab();
     assert.equal(await made(), 0);
+    // What was taken out of the document before anybody saw it works when it is back.
+    await page.evaluate(() => {
+      location.hash = '#lab&v=1';
+    });
+    await page.until(
+      'all of it is there',
+      (count) => {
+        const inputs = document.querySelectorAll(':is(#drives, #gains) input');
+        return inputs.length === count && [...inputs].every((input) => input.checkVisibility());
+      },
+      all,
+    );
+    await page.click('#one-generation');
+    assert.equal(await page.text('#generation'), '1');
     assert.deepEqual(await page.problems(), []);
   },
 );

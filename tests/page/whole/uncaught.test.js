@@ -70,3 +70,21 @@ pageTest('a view that cannot be drawn leaves all others theirs, and is told once
   // It was meant.
   page.uncaught = '';
 });
+
+pageTest('a lab that cannot be made leaves the parts as they are', async (page) => {
+  await page.open('');
+  await page.evaluate(() => document.getElementById('gains')?.remove());
+  for (const name of ['lab', 'luck']) {
+    await page.click(`#page-${name}`);
+    await page.until(`${name} is open`, (open) => document.body.dataset.open === open, name);
+  }
+  await page.until('Luck alone is in sight', () => {
+    const [park, luck] = ['park', 'luck'].map((part) => document.querySelector(`section.${part}`));
+    return luck?.checkVisibility() && !park?.checkVisibility();
+  });
+  assert.match((await page.problems()).join(), /^uncaught: /);
+  await page.leave();
+  assert.notEqual(page.uncaught, '');
+  // It was meant.
+  page.uncaught = '';
+});

@@ -156,9 +156,9 @@ function followCursor(element, store, actions, modelOf) {
       actions.driveAgain();
     },
     onEscape() {
-      const { cursor } = modelOf();
+      if (modelOf().cursor === null) return false;
       put(null);
-      return cursor !== null;
+      return true;
     },
     onStep([right, up], isWide) {
       const model = modelOf();

@@ -44,9 +44,9 @@ export function createPage(tools) {
   followKeys(plane, {
     onStep: async ([right, up]) => (await later.bring())?.step(right - up > 0 ? 1 : -1),
     onEscape() {
-      const { looked } = parkSlice.of(store.get());
+      if (parkSlice.of(store.get()).looked === null) return false;
       parkSlice.update(store, { looked: null });
-      return looked !== null;
+      return true;
     },
   });
 

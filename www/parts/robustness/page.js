@@ -142,9 +142,9 @@ function followCursor(element, store, actions, size) {
   followKeys(element, {
     onEnter: () => driveFrom(own().cursor ?? watched()),
     onEscape() {
-      const { cursor } = own();
+      if (own().cursor === null) return false;
       put(null);
-      return cursor !== null;
+      return true;
     },
     onStep(step, isWide) {
       const { survey, cursor } = own();

@@ -29,9 +29,9 @@ export function createRose(root, { chosen, onChoose, onPoint }) {
   followPointing(root, (event) => onPoint(event && headingAt(event)));
   followKeys(root, {
     onEscape() {
-      const heading = chosen();
+      if (chosen() === null) return false;
       onChoose(null);
-      return heading !== null;
+      return true;
     },
     // Headings are counted to the left.
     onStep: ([right, up]) => onChoose(((chosen() ?? 0) + up - right + headings) % headings),
