@@ -70,6 +70,7 @@ async function createRun(engine, drivesOf, redraw) {
   const sight = createSight(createScene(engine.drive, paper, drivesOf), first, redraw, (error) =>
     store.update({ message: messageOf(error) }),
   );
+  await giveWay();
   /** Of the state that is seen. @param {State} state */
   const seenScene = (state) => sight.of(state).scene;
   const finalTime = () => seenScene(store.get()).driving.finalTime;
@@ -147,6 +148,7 @@ function createShow({ tools, sight }, seen, addressOf) {
     /** Makes and draws piece by piece what is not in sight yet, so that the first picture takes less at once. */
     async prepare() {
       const { state, scene } = toDraw();
+      await giveWay();
       for (const [name, act] of labOf(state, scene)) {
         turn(name, act);
         await giveWay();
@@ -273,13 +275,13 @@ async function start(engine) {
   requestAnimationFrame(sayReady);
 }
 
-document.body.toggleAttribute('data-embed', isEmbedded);
-sayTexts();
-for (const element of document.querySelectorAll('[data-beside]'))
-  element.setAttribute('data-page', pagesBeside(element.getAttribute('data-beside')).join(' '));
-watchCore((why) => embed?.fail(why));
-/** Not awaited where it is called: what is loaded on demand needs this file, and would wait for it in turn. */
-async function begin() {
+/** Opens the page, or says why it cannot be opened. */
+export async function begin() {
+  document.body.toggleAttribute('data-embed', isEmbedded);
+  sayTexts();
+  for (const element of document.querySelectorAll('[data-beside]'))
+    element.setAttribute('data-page', pagesBeside(element.getAttribute('data-beside')).join(' '));
+  watchCore((why) => embed?.fail(why));
   try {
     // Side by side with the core.
     askFor(parts, location.hash || `#${firstPage}`);
@@ -293,4 +295,3 @@ async function begin() {
     console.error(error);
   }
 }
-begin();

@@ -1,6 +1,7 @@
 // A part is loaded when it is opened first: its words and its page, side by side.
 /** @import { Page, Part, Tools } from './part.js' */
 import { byId } from '../kit/elements.js';
+import { pause } from '../kit/loop.js';
 import { createWaiting } from '../lab/waiting.js';
 import { afterWords } from '../words/pick.js';
 
@@ -43,6 +44,8 @@ export function createParts(parts, tools, onLoaded) {
     const place = createPlace(name);
     try {
       const createPage = await makerOf(part);
+      // Its file has just been read: both at once would hold the browser for long.
+      await pause();
       const page = createPage(tools);
       pages.set(name, page);
       place.fill(page.element);
