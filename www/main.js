@@ -6,5 +6,7 @@ sayLoading();
 // Where a file is missing, index.html says it. Where the page is left meanwhile, nobody is there to be told.
 load()
   .then(() => import('./page.js'))
-  .then(({ begin }) => begin())
+  .then(({ begin }) => {
+    begin();
+  })
   .catch(console.error);

@@ -147,12 +147,13 @@ function createShow({ tools, sight }, seen, addressOf) {
   return {
     /** Makes and draws piece by piece what is not in sight yet, so that the first picture takes less at once. */
     async prepare() {
-      const { state, scene } = toDraw();
+      const first = toDraw();
       await giveWay();
-      for (const [name, act] of labOf(state, scene)) {
+      for (const [name, act] of labOf(first.state, first.scene)) {
         turn(name, act);
         await giveWay();
       }
+      const { state, scene } = toDraw();
       drawPart(state, scene);
       await giveWay();
     },
@@ -238,15 +239,7 @@ async function start(engine) {
   seen = await createSeen(run, loop.request, addressNow);
   const { made, lesson, share } = seen;
   const { show, prepare } = createShow(run, seen, addressNow);
-
-  byId('plane-robots').setAttribute('aria-label', words.planeLabel);
-  createKeys(share.openChecks);
-  byId('fitness-table').addEventListener('click', () => showTable(fitnessTable(store.get())));
-  address = createAddress({ ...tools, actions, slices: places.slices, firstPage });
-  await giveWay();
-  await Promise.all([made.open(store.get().page), lesson.open(store.get())]);
-  await giveWay();
-  await prepare();
+  // It hears its host while the open part is still on its way.
   if (isEmbedded) {
     const { createEmbed } = await loadEmbed();
     embed = createEmbed({
@@ -258,6 +251,15 @@ async function start(engine) {
       shapes: parts,
     });
   }
+
+  byId('plane-robots').setAttribute('aria-label', words.planeLabel);
+  createKeys(share.openChecks);
+  byId('fitness-table').addEventListener('click', () => showTable(fitnessTable(store.get())));
+  address = createAddress({ ...tools, actions, slices: places.slices, firstPage });
+  await giveWay();
+  await Promise.all([made.open(store.get().page), lesson.open(store.get())]);
+  await giveWay();
+  await prepare();
   frame = createFrame(run, seen, show);
   takeInstead();
   byId('instrument').hidden = false;

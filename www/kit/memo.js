@@ -52,3 +52,19 @@ export function watch() {
 
 /** Made when it is asked for first. @template R @param {() => R} make @returns {() => R} */
 export const once = (make) => remember(make);
+
+/** The same; where it cannot be made that is said at every time, and it is not tried again. @template R @param {() => R} make @returns {() => R} */
+export function onceAtMost(make) {
+  const made = once(() => {
+    try {
+      return { result: make() };
+    } catch (error) {
+      return { error };
+    }
+  });
+  return () => {
+    const outcome = made();
+    if ('error' in outcome) throw outcome.error;
+    return outcome.result;
+  };
+}

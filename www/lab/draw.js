@@ -6,7 +6,7 @@
 /** @import { Head, Views } from './views.js' */
 import { hasSigmas } from '../core/methods.js';
 import { byId, write } from '../kit/elements.js';
-import { once, remember } from '../kit/memo.js';
+import { onceAtMost, remember } from '../kit/memo.js';
 import { createView } from '../kit/transform.js';
 import { gainsOf, sliderRange } from '../run/drivers.js';
 import { shownExercise } from '../run/exercise.js';
@@ -27,7 +27,7 @@ import { showMessage } from './views.js';
  * @param {Engine} engine @param {PaperResult[]} paper @param {InSight} inSight
  */
 export function createDraw(createViews, engine, paper, inSight) {
-  const viewsNow = once(createViews);
+  const viewsNow = onceAtMost(createViews);
   const viewOf = remember(createView);
   const isMoved = remember((/** @type {Experiment} */ experiment, /** @type {Preset} */ preset) => {
     const { starts, goal } = engine.experiment(preset);

@@ -5,7 +5,7 @@ import { pause } from '../kit/loop.js';
 import { createWaiting } from '../lab/waiting.js';
 import { afterWords } from '../words/pick.js';
 
-/** What makes the page of a part, once all of it is there. @param {readonly (() => Promise<unknown>)[]} words @param {() => Promise<{ createPage: (tools: Tools) => Page }>} module */
+/** What makes the page of a part, once all of it is there. @param {readonly (() => Promise<unknown>)[]} words @param {() => Promise<{ createPage: (tools: Tools) => Page | Promise<Page> }>} module */
 export async function makerFrom(words, module) {
   const { createPage } = await afterWords(words, module);
   return createPage;
@@ -46,7 +46,7 @@ export function createParts(parts, tools, onLoaded) {
       const createPage = await makerOf(part);
       // Its file has just been read: both at once would hold the browser for long.
       await pause();
-      const page = createPage(tools);
+      const page = await createPage(tools);
       pages.set(name, page);
       place.fill(page.element);
       onLoaded();

@@ -35,7 +35,7 @@
  * @property {true} [pays] Whether what is paid of J on the way stands at the path on the plane.
  * @property {true} [phases] Where a generation is seen phase by phase.
  * @property {readonly [share: number, most: number]} figure How high a figure of it looks best for its width, and the most that helps it, in pixels.
- * @property {() => Promise<(tools: Tools) => Page>} load What makes its page, which is not loaded before it is opened.
+ * @property {() => Promise<(tools: Tools) => Page | Promise<Page>>} load What makes its page, which is not loaded before it is opened.
  */
 
 export {};

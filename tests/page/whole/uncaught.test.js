@@ -82,6 +82,8 @@ pageTest('a lab that cannot be made leaves the parts as they are', async (page) 
     const [park, luck] = ['park', 'luck'].map((part) => document.querySelector(`section.${part}`));
     return luck?.checkVisibility() && !park?.checkVisibility();
   });
+  await page.click('#page-lab');
+  assert.equal(await page.evaluate(() => document.querySelectorAll('#curve canvas').length), 1);
   assert.match((await page.problems()).join(), /^uncaught: /);
   await page.leave();
   assert.notEqual(page.uncaught, '');

@@ -3,6 +3,7 @@
 import './style.css';
 import { render } from 'lit-html';
 import { create, followSize } from '../../kit/elements.js';
+import { pause } from '../../kit/loop.js';
 import { followKeys } from '../../kit/map.js';
 import { once, watch } from '../../kit/memo.js';
 import { createWaiting } from '../../lab/waiting.js';
@@ -23,8 +24,8 @@ import words from './words/index.js';
 /** The step of the lesson that makes one generation by hand. */
 const howStep = 7;
 
-/** @param {Tools} tools @returns {Page} */
-export function createPage(tools) {
+/** @param {Tools} tools @returns {Promise<Page>} */
+export async function createPage(tools) {
   const { engine, store, paper, links } = tools;
   const task = createTask(engine);
   const element = createSection('park');
@@ -32,6 +33,8 @@ export function createPage(tools) {
   const [head, side] = [create('div', 'park-head'), create('div', 'park-side')];
   element.append(head, plane, side);
   const picture = createParkPicture(canvases, task);
+  // All of them drive.
+  await pause();
   const play = createPlay(engine, store, paper, task);
   const size = followSize(plane, play.request);
   const later = createLater(element, store.redraw, async () => {

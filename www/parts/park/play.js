@@ -23,7 +23,7 @@ export function createPlay(engine, store, paper, task) {
     const found = slice().bred.at(-1);
     return found ? filmOf(task.drive([found.gains])[0], [], 'hand') : handFilm(gainsNow());
   };
-  const { film, show, request } = createProjector(filmNow, store, ended);
+  const { film, show, request } = createProjector(filmNow(), store, ended);
   const isOf = (/** @type {Triple} */ gains) => film().drives === handFilm(gains).drives;
 
   /** One generation more, as a film. */
@@ -112,27 +112,22 @@ function createHand(task) {
 const bestWith = ({ gains, best }, parked) =>
   gains && (!best || parked >= best.parked) ? { best: { gains, parked } } : {};
 
-/** Runs a film while the part is open; `onEnd` is called at its end, and may begin the next. @param {() => Film} firstFilm Called when it is first looked at. @param {Store} store @param {() => void} onEnd */
-function createProjector(firstFilm, store, onEnd) {
+/** Runs a film while the part is open; `onEnd` is called at its end, and may begin the next. @param {Film} first @param {Store} store @param {() => void} onEnd */
+function createProjector(first, store, onEnd) {
   const begun = (/** @type {Film} */ film) => (isStill() ? later(film, Number.POSITIVE_INFINITY) : film);
   const isEvolving = () => parkSlice.of(store.get()).evolving;
-  /** @type {Film | null} */
-  let film = null;
-  const filmNow = () => {
-    film ??= begun(firstFilm());
-    return film;
-  };
+  let film = begun(first);
   const { request } = createFrameLoop((seconds) => {
     if (store.get().page !== 'park') return false;
-    const wasOver = isOver(filmNow());
-    film = later(filmNow(), seconds);
+    const wasOver = isOver(film);
+    film = later(film, seconds);
     store.redraw();
     if (isOver(film) && (!wasOver || isEvolving())) onEnd();
-    return !isOver(filmNow()) || isEvolving();
+    return !isOver(film) || isEvolving();
   });
   request();
   return {
-    film: filmNow,
+    film: () => film,
     request,
     /** @param {Film} next */
     show(next) {
