@@ -335,7 +335,7 @@ class GenerationRecord(TypedDict):
     ellipse: Optional[Ellipse]
     #: For each of the 2N solutions, whom it met in the tournament; empty without one.
     opponents: List[List[int]]
-    #: For each of the 2N solutions, how many bouts it won.
+    #: For each of the 2N solutions, how many bouts it won; empty without a tournament.
     wins: List[int]
     #: All of them, best ranked first: most wins first, then lower J, then lower number. Without a tournament those that
     #: survive come first, each part by J.
