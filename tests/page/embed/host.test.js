@@ -4,8 +4,11 @@ import { wantedHeight } from '../../../www/embed/frame.js';
 import { parts } from '../../../www/parts/parts.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment, historyOf, simulate } from '../harness/core.js';
-import { ask, heardFrom, frameOf, inHost, within } from '../harness/host.js';
+import { ask, heardFrom, frameOf, inHost, serveHost, within } from '../harness/host.js';
+import { serve } from '../harness/server.js';
 import { clockOf, course } from './course.js';
+
+/** @typedef {import('../harness/host.js').Heard} Heard */
 
 pageTest(
   'what a figure tells of its drive are the gains that drive, also where one robot of many is chosen',
@@ -167,3 +170,37 @@ engineTest(
     });
   },
 );
+
+pageTest('a figure answers its host while its part is still on its way', async (page) => {
+  let arrive = () => {};
+  /** @type {Promise<void>} */
+  const onItsWay = new Promise((resolve) => {
+    arrive = resolve;
+  });
+  const site = await serve(undefined, {
+    send: (name, content) =>
+      /page-.*\.js$/.test(name) && content.includes('id="landscape-map"')
+        ? onItsWay.then(() => content)
+        : content,
+  });
+  const host = await serveHost(`<iframe src="${site.address}?embed#landscape"></iframe>`);
+  try {
+    await page.visit(host.address);
+    await page.until('it answers', () => {
+      document.querySelector('iframe')?.contentWindow?.postMessage({ ep: 1, type: 'read', id: 'early' }, '*');
+      const { heard } = /** @type {{ heard: Heard[] }} */ (/** @type {unknown} */ (window));
+      return heard.some(({ data }) => data.id === 'early' && data.type === 'state');
+    });
+    const told = await heardFrom(page, 0);
+    assert.ok(!told.some(({ type }) => type === 'ready'), 'its part was there');
+    arrive();
+    await page.until('it is ready', () => {
+      const { heard } = /** @type {{ heard: Heard[] }} */ (/** @type {unknown} */ (window));
+      return heard.some(({ data }) => data.type === 'ready');
+    });
+  } finally {
+    arrive();
+    await page.leave();
+    await Promise.all([host.close(), site.close()]);
+  }
+});

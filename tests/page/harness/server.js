@@ -50,7 +50,7 @@ const strictest = {
  * @typedef {object} Changes
  * @property {Record<string, string>} [policy] directives in the place of those of the strictest policy
  * @property {string} [before] a script that the page begins with
- * @property {(name: string, content: Buffer) => Buffer | null} [send] what is sent of a file
+ * @property {(name: string, content: Buffer) => Buffer | null | Promise<Buffer | null>} [send] what is sent of a file
  */
 
 /** @param {string} [root] the folder to serve @param {Changes} [changes] @returns {Promise<Site>} */
@@ -70,7 +70,7 @@ export async function serve(root = dist, { policy = {}, before = '', send = (_, 
     const inside = normalize(path.slice(folder.length) || 'index.html');
     if (!path.startsWith(folder) || inside.startsWith(`..${sep}`)) return null;
     const file = await readFile(join(root, inside)).catch(() => null);
-    const content = file && send(inside, file);
+    const content = file && (await send(inside, file));
     if (content === null || extname(inside) !== '.html') return content;
     // The collector has to run before any script of the page.
     return content
