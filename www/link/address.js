@@ -5,12 +5,13 @@
 /** @import { Store } from '../run/store.js' */
 /** @import { Slice } from '../run/store.js' */
 /** @import { Links } from './link.js' */
-import { tidyText } from '../kit/text.js';
 import { canLoad, isEmbedded, leaving } from '../kit/host.js';
+import { pause } from '../kit/loop.js';
+import { watch } from '../kit/memo.js';
+import { tidyText } from '../kit/text.js';
 import { takeAlong, takeUp } from './crossing.js';
 import { createLanguageSwitch } from './language-switch.js';
 import { inLanguage, withExercise } from './link.js';
-import { watch } from '../kit/memo.js';
 import { isEmpty } from '../run/exercise.js';
 import { asked, caughtUp } from '../run/state.js';
 import { mostOfWho } from '../run/variant.js';
@@ -96,8 +97,8 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
   };
 
   const soon = createPause(write);
-  const lead = createWays(wayTo);
   const other = createLanguageSwitch((read) => linkNow(written, read));
+  const lead = createWays(wayTo, [...links.pages, 'lesson'], other.follow);
 
   addEventListener(leaving, () => {
     history.replaceState(null, '', `#${linkNow(written)}`);
@@ -132,8 +133,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
       if (away.leaves || !isDue(state, place) || (state.evolving && soon.waits && !isElsewhere(state, place)))
         return;
       if (!changed(...links.carried(state))) return;
-      lead(state, [...links.pages, 'lesson']);
-      other.follow();
+      lead(state);
       // Another part, or a run from elsewhere, at once, so that "back" is there when it is wanted.
       if (isElsewhere(state, place) || written === null) write();
       else soon.ask(state.evolving ? 'evolving' : 'atRest');
@@ -194,16 +194,29 @@ function createPause(act) {
   };
 }
 
-/** To the parts and the lesson: an exercise may have taken them out of the document. @param {(state: State, name: string) => string} linkTo */
-function createWays(linkTo) {
+/**
+ * To the parts and the lesson: an exercise may have taken them out of the document. They are written after the frame, in which
+ * enough is drawn.
+ * @param {(state: State, name: string) => string} linkTo @param {readonly string[]} names @param {() => void} andThen
+ */
+function createWays(linkTo, names, andThen) {
   /** @type {Map<string, HTMLElement | null>} */
   const ways = new Map();
-  return (/** @type {State} */ state, /** @type {readonly string[]} */ names) => {
+  /** The newest, until they lead from it. @type {State | null} */
+  let newest = null;
+  return async (/** @type {State} */ state) => {
+    const isAsked = newest !== null;
+    newest = state;
+    if (isAsked) return;
+    await pause();
+    const from = newest;
+    newest = null;
     for (const name of names) {
       const way = ways.get(name) ?? document.getElementById(`page-${name}`);
       ways.set(name, way);
-      way?.setAttribute('href', `#${linkTo(state, name)}`);
+      way?.setAttribute('href', `#${linkTo(from, name)}`);
     }
+    andThen();
   };
 }
 
