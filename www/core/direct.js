@@ -22,15 +22,13 @@ import { isLongDrive, isLongEvolution, isLongRecord, isLongReplay } from './boun
 import { unpacked } from './history.js';
 import { once } from './once.js';
 import { driveOn, samplesOf } from './samples.js';
+import { fromFirst, withStartsInOne } from './starts.js';
 import { createSurveys } from './surveys.js';
 
 /**
  * An evolution here, or, where there is no such object, in a worker.
  * @typedef {{ experiment: Experiment, here: Evolution | null, newest: number, hash: () => string, population: Individual[] }} Run
  */
-
-/** A robot drives from the first start alone: what is handed over need not name the others, which may be thousands. @param {Experiment} experiment @returns {Experiment} */
-const fromFirst = (experiment) => ({ ...experiment, starts: experiment.starts.slice(0, 1) });
 
 /** The core is there. @param {{ pool: () => Pool, lone: () => Pool }} workers Which are started when they are needed; `lone` has one, which keeps an evolution. */
 export function engineOf({ pool, lone }) {
@@ -54,10 +52,10 @@ export function engineOf({ pool, lone }) {
     startsOnCircle,
 
     /** @param {Preset | PartialExperiment} from */
-    experiment: (from) => experiment(from),
+    experiment: (from) => experiment(typeof from === 'string' ? from : withStartsInOne(from)),
 
     /** What of a preset these fields make, whatever they were copied from. @param {Preset} preset @param {PartialExperiment} changes */
-    changed: (preset, changes) => experiment(preset, changes),
+    changed: (preset, changes) => experiment(preset, withStartsInOne(changes)),
 
     ...evolution,
 
@@ -132,13 +130,13 @@ function createEvolution(ask, evolving) {
     begin(from) {
       if (isLongEvolution(from)) {
         // What is refused is refused at once.
-        experiment(from);
+        experiment(withStartsInOne(from));
         const { statistics, population, hash } = ask(evolving().steps.run, 'newestGeneration', from, 0);
         // The answer may have been given before, and this is another evolution.
         const own = { ...statistics };
         return take({ experiment: from, here: null, newest: 0, hash: () => hash, population }, own);
       }
-      const here = new Evolution(from);
+      const here = new Evolution(withStartsInOne(from));
       const population = here.population();
       const begun = { experiment: from, here, newest: 0, hash: () => here.hash(), population };
       return take(begun, here.statistics());
