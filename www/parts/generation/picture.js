@@ -28,17 +28,17 @@ export function createPicture(element, { onChoose }) {
   /** @type {PictureModel | null} */
   let latest = null;
   let isDue = false;
-  const draw = () => {
-    const size = sizeOf();
+  /** @param {Size} size */
+  const draw = (size) => {
     isDue = false;
     if (latest && size.width > 0) drawn = show(latest, size, drawn);
   };
-  const sizeOf = followSize(root, () => {
-    if (!isDue) draw();
+  const sizeOf = followSize(root, (size) => {
+    if (!isDue && !isDrawnAt(drawn, size)) draw(size);
   });
-  /** A crowd has a frame of its own: its details may change its size, and it is not to be drawn twice. */
+  /** A crowd has a frame of its own: its details may change its size, of which one is told only after that, and it is not to be drawn twice. */
   const drawNext = () => {
-    if (!isDue) requestAnimationFrame(draw);
+    if (!isDue) requestAnimationFrame(() => draw({ width: root.clientWidth, height: root.clientHeight }));
     isDue = true;
   };
 
@@ -67,10 +67,13 @@ export function createPicture(element, { onChoose }) {
       if (!changed(model.anatomy, model.phase, model.chosen)) return;
       latest = model;
       if (isCrowd(model)) drawNext();
-      else draw();
+      else draw(sizeOf());
     },
   };
 }
+
+/** @param {Drawn | null} drawn @param {Size} size */
+const isDrawnAt = (drawn, { width, height }) => drawn?.size.width === width && drawn.size.height === height;
 
 /** @param {HTMLElement} root @returns {(model: PictureModel, size: Size, drawn: Drawn | null) => Drawn} What draws after what it has drawn before. */
 function createDrawing(root) {
