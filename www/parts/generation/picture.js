@@ -34,7 +34,7 @@ export function createPicture(element, { onChoose }) {
     if (latest && size.width > 0) drawn = show(latest, size, drawn);
   };
   const sizeOf = followSize(root, (size) => {
-    if (!isDue && !isDrawnAt(drawn, size)) draw(size);
+    if (!isDue && !(drawn?.model === latest && isSame(drawn.size, size))) draw(size);
   });
   /** A crowd has a frame of its own: its details may change its size, of which one is told only after that, and it is not to be drawn twice. */
   const drawNext = () => {
@@ -72,8 +72,8 @@ export function createPicture(element, { onChoose }) {
   };
 }
 
-/** @param {Drawn | null} drawn @param {Size} size */
-const isDrawnAt = (drawn, { width, height }) => drawn?.size.width === width && drawn.size.height === height;
+/** @param {Size} a @param {Size} b */
+const isSame = (a, b) => a.width === b.width && a.height === b.height;
 
 /** @param {HTMLElement} root @returns {(model: PictureModel, size: Size, drawn: Drawn | null) => Drawn} What draws after what it has drawn before. */
 function createDrawing(root) {
