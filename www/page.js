@@ -279,12 +279,12 @@ async function start(engine) {
 
 /** Opens the page, or says why it cannot be opened. */
 export async function begin() {
-  document.body.toggleAttribute('data-embed', isEmbedded);
-  sayTexts();
-  for (const element of document.querySelectorAll('[data-beside]'))
-    element.setAttribute('data-page', pagesBeside(element.getAttribute('data-beside')).join(' '));
-  watchCore((why) => embed?.fail(why));
   try {
+    document.body.toggleAttribute('data-embed', isEmbedded);
+    sayTexts();
+    for (const element of document.querySelectorAll('[data-beside]'))
+      element.setAttribute('data-page', pagesBeside(element.getAttribute('data-beside')).join(' '));
+    watchCore((why) => embed?.fail(why));
     // Side by side with the core.
     askFor(parts, location.hash || `#${firstPage}`);
     askForLesson(location.hash);

@@ -51,6 +51,14 @@ const failing = (name) => `
     listen(name, ...rest);
   };`;
 
+/** The page fails before all else. */
+const silent = `
+  const toggle = Element.prototype.toggleAttribute;
+  Element.prototype.toggleAttribute = function (name, ...rest) {
+    if (name === 'data-embed') throw Error('no texts');
+    return toggle.call(this, name, ...rest);
+  };`;
+
 /** As Chromium says it, where many tabs and figures are open. */
 const full = `
   WebAssembly.Instance = function () {
@@ -68,6 +76,7 @@ engineTest('what the browser or the server lacks is said, above a picture and th
     [without(/\.wasm$/), '?embed#lab', /could not be loaded \(.*404/],
     [{ before: full }, '', /no memory left/],
     [{ before: failing('popstate') }, '', /could not be loaded \(no ear for popstate\)/],
+    [{ before: silent }, '', /could not be loaded \(no texts\)/],
     [{ policy: { 'script-src': "'self'" } }, '#lesson&lang=ko', /주행할 수 없습니다.*WebAssembly를 금지/],
   ]))
     await withSite(page, wrong, async (address) => {
