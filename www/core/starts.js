@@ -14,7 +14,8 @@ const isWhole = (start) =>
 
 /** Thousands are read ten times sooner as one list of numbers. What is no posture the core has to see, and name. @template {PartialExperiment} T @param {T} from @returns {PartialExperiment} */
 export function withStartsInOne(from) {
-  const { starts } = from;
+  // Nor what is no experiment.
+  const starts = from?.starts;
   const isMany = Array.isArray(starts) && starts.length >= least && starts.length <= most;
   if (!isMany || !starts.every(isWhole)) return from;
   const numbers = new Float64Array(3 * starts.length);

@@ -53,6 +53,11 @@ test('a start that is none is refused by its name, or completed, among many as a
     assert.deepEqual(engines, cores);
     if (typeof cores === 'string') assert.match(cores, /starts\[120\]/);
   }
+  for (const from of /** @type {any[]} */ ([null, undefined, 7, 'none', []]))
+    assert.deepEqual(
+      told(() => engine.experiment(from)),
+      told(() => experiment(from)),
+    );
   for (const starts of [startsOf(10_001), [], {}, 'none', new Float64Array(301)])
     assert.equal(
       told(() => engine.experiment({ starts: /** @type {any} */ (starts) })),
