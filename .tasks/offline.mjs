@@ -1,4 +1,5 @@
 // A Vite plugin that makes one HTML file of the whole page, which works from a disk without a network.
+import { gzipSync } from 'node:zlib';
 
 /** The file reaches nothing outside of itself, whatever is in it, but the server that it comes from, if it does: to ask whether that is there. */
 const policy = [
@@ -48,7 +49,15 @@ export function oneFile() {
 }
 
 /** Where something was to be loaded on demand, Vite leaves a name in which no file is listed: nothing is to be loaded first. @param {string} code */
-const standalone = (code) => code.replaceAll('__VITE_PRELOAD__', '[]');
+const standalone = (code) => packed(code.replaceAll('__VITE_PRELOAD__', '[]'));
+
+/** The core in less than half of its length, as the page expects it where it has it within. @param {string} code */
+const packed = (code) =>
+  code.replace(
+    /data:application\/wasm;base64,([\w+/=]+)/,
+    (_, core) =>
+      `data:application/gzip;base64,${gzipSync(Buffer.from(core, 'base64'), { level: 9 }).toString('base64')}`,
+  );
 
 /** What takes the place of the tag that names a file; null if it is of no kind that we have. @param {string} name @param {string} text */
 function elementOf(name, text) {

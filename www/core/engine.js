@@ -44,15 +44,18 @@ export async function createEngine() {
   return engineOf({ pool: () => createPool({ spawn }), lone: () => createPool({ spawn, size: 1 }) });
 }
 
-/** @param {string} data What follows `data:`. */
-const bytesIn = (data) =>
-  Uint8Array.from(atob(data.slice(data.indexOf(',') + 1)), (one) => one.charCodeAt(0));
+/** What the one file has within. @param {string} data What follows `data:`, of bytes that are packed. */
+function unpacked(data) {
+  const packed = Uint8Array.from(atob(data.slice(data.indexOf(',') + 1)), (one) => one.charCodeAt(0));
+  const bytes = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return new Response(bytes).arrayBuffer();
+}
 
 /** Compiled once, for the page and its workers. */
 async function compileCore() {
   const address = new URL('../../pkg/ep_locomotion_bg.wasm', import.meta.url);
   // The one file has it within: not every server lets a page fetch even that.
-  if (address.protocol === 'data:') return WebAssembly.compile(bytesIn(address.pathname));
+  if (address.protocol === 'data:') return WebAssembly.compile(await unpacked(address.pathname));
   const response = await fetch(address);
   if (!response.ok) throw new Error(`the core is missing: ${response.status} ${response.statusText}`);
   return WebAssembly.compile(await response.arrayBuffer());
