@@ -1,5 +1,5 @@
 // What the steps of the lesson hold, in the order of the path.
-import { stepNames } from './path.js';
+import { path, stepNames } from './path.js';
 import * as every from './steps/all.js';
 
 /** @import { Engine, Triple } from '../core/engine.js' */
@@ -23,9 +23,7 @@ import * as every from './steps/all.js';
  *   | { kind: 'view', create: (tools: Tools, words: any, href: (link: string) => string) => Block, isText?: true }) & { after?: string }} Content
  */
 /**
- * @typedef {object} Step
- * @property {StepName} name
- * @property {string} link What is on screen when the step is opened.
+ * @typedef {object} Written
  * @property {'drive' | 'evolve' | 'plane' | 'driver'} figure What stands under the plane while the link opens the lab: J and the gains, J and evolution, or the gains alone; with `driver` the gains while somebody drives by hand, else evolution. Another part stands there by itself.
  * @property {(live: Live) => number} [time] Where the robots' clock stands, in seconds; without it they drive.
  * @property {boolean} [overlay] The error posture is drawn on the plane.
@@ -36,7 +34,10 @@ import * as every from './steps/all.js';
  * @property {(live: Live) => Record<string, string>} [values] The numbers in its texts.
  */
 
-/** @type {Readonly<Record<StepName, Step>>} */
-const byName = { ...every };
-/** @type {readonly Step[]} */
-export const steps = stepNames.map((name) => byName[name]);
+/** The link is what is on screen when the step is opened. @typedef {Written & { name: StepName, link: string }} Step */
+
+/** @type {Readonly<Record<StepName, Written>>} */
+const written = every;
+/** @param {StepName} name @returns {Step} */
+export const stepOf = (name) => ({ name, link: path[name], ...written[name] });
+export const steps = stepNames.map(stepOf);

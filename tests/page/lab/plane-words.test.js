@@ -1,12 +1,12 @@
 // What is said on the plane can be read: in each step of the lesson, and in whatever a step lets one try or asks about.
 import assert from 'node:assert/strict';
 import { hrefOf, linkOfStep, stepNames } from '../../../www/lesson/path.js';
-import * as steps from '../../../www/lesson/steps/all.js';
+import { steps } from '../../../www/lesson/steps.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { endSurrounding, follow, surround } from '../whole/surround.js';
 
 /** Every link of a step, with a name for it. */
-const links = Object.values(steps).flatMap(({ name, blocks }) => {
+const links = steps.flatMap(({ name, blocks }) => {
   const number = stepNames.indexOf(name) + 1;
   /** @type {[string, string][]} */
   const all = [[name, linkOfStep(number)]];
@@ -150,7 +150,7 @@ pageTest('where there is room for what is paid along the path, none of it lies o
 
 pageTest('where x_e and y_e are drawn, the corner in which they meet is on the plane', async (page) => {
   if (page.engine !== 'chromium') return;
-  const withErrors = Object.values(steps).filter(({ overlay }) => overlay);
+  const withErrors = steps.filter(({ overlay }) => overlay);
   try {
     await page.open('#lab&v=1');
     await surround(page, [1366, 768]);

@@ -3,14 +3,17 @@ import assert from 'node:assert/strict';
 import { contestOf } from '../../../www/parts/luck/contest-asked.js';
 import { standingsOf } from '../../../www/parts/luck/contest-summary.js';
 import { luckSlice } from '../../../www/parts/luck/state.js';
-import { contest as step, sideOf } from '../../../www/lesson/steps/contest.js';
+import { sideOf } from '../../../www/lesson/steps/contest.js';
 import { contest as en } from '../../../www/lesson/words/en/contest.js';
 import { contest as ko } from '../../../www/lesson/words/ko/contest.js';
+import { stepOf } from '../../../www/lesson/steps.js';
 import { pageTest } from '../harness/browsers.js';
 import { Evolution } from '../harness/core.js';
 import { engine, evolved, opened, shownIn } from './links.js';
 import { answered, tryOf } from './live.js';
 import { test } from '../harness/once.js';
+
+const step = stepOf('contest');
 
 /** The contest of a link, with its target. @param {string} link */
 async function ran(link) {

@@ -1,12 +1,15 @@
 import assert from 'node:assert/strict';
 import { beatOf, gentle } from '../../../www/lesson/views/standings.js';
-import { cost as step, withKy } from '../../../www/lesson/steps/cost.js';
+import { withKy } from '../../../www/lesson/steps/cost.js';
 import { cost as words } from '../../../www/lesson/words/en/cost.js';
 import { costText } from '../../../www/words/numbers.js';
+import { stepOf } from '../../../www/lesson/steps.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { experiment, paper, paperGains, simulate } from '../harness/core.js';
 import { answerOf, driven, engine, linkOf, opened } from './links.js';
 import { test } from '../harness/once.js';
+
+const step = stepOf('cost');
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../harness/core.js').Experiment} Experiment */

@@ -1,7 +1,7 @@
 // What the lesson says of a ground that pushes is so, and its own views show what the core gives.
 import assert from 'node:assert/strict';
-import { disturbance as step } from '../../../www/lesson/steps/disturbance.js';
 import { withDisturbance } from '../../../www/run/scene.js';
+import { stepOf } from '../../../www/lesson/steps.js';
 import { pageTest } from '../harness/browsers.js';
 import {
   Evolution,
@@ -15,6 +15,8 @@ import {
 import { opened } from './links.js';
 import { answered, liveOf, toldBy, tryOf } from './live.js';
 import { test } from '../harness/once.js';
+
+const step = stepOf('disturbance');
 
 /** @typedef {import('../harness/core.js').Experiment} Experiment */
 

@@ -2,11 +2,13 @@
 import assert from 'node:assert/strict';
 import { isBeyond, lockedIn, roundOf } from '../../../www/lesson/duel/duel.js';
 import { noTally } from '../../../www/lesson/state.js';
-import { duel as step } from '../../../www/lesson/steps/duel.js';
+import { stepOf } from '../../../www/lesson/steps.js';
 import { contest, engine, yard } from './duel-task.js';
 import { opened } from './links.js';
 import { liveOf, tryOf } from './live.js';
 import { test } from '../harness/once.js';
+
+const step = stepOf('duel');
 
 test('where no hand goes evolution’s ky lies only while turning is cheap', async () => {
   const dear = yard.experimentOf(opened(tryOf('duel', 'dear')).experiment);

@@ -1,9 +1,11 @@
 // The task of the duel, and what evolution makes of it.
-import { duel as step } from '../../../www/lesson/steps/duel.js';
 import { yardOf } from '../../../www/lesson/duel/yard.js';
+import { stepOf } from '../../../www/lesson/steps.js';
 import { Evolution } from '../harness/core.js';
 import { opened } from './links.js';
 import { liveOf } from './live.js';
+
+const step = stepOf('duel');
 
 export const { engine } = liveOf('lab');
 export const yard = yardOf(engine);

@@ -11,18 +11,20 @@ import {
   winners,
 } from '../../../www/lesson/duel/duel.js';
 import { marksOf } from '../../../www/lesson/duel/marks.js';
-import { duel as step } from '../../../www/lesson/steps/duel.js';
 import { noTally } from '../../../www/lesson/state.js';
 import { taskText } from '../../../www/lesson/duel/tally.js';
 import { swarm } from '../../../www/lesson/words/en.js';
 import { duel as words } from '../../../www/lesson/words/en/duel.js';
 import { duel as korean } from '../../../www/lesson/words/ko/duel.js';
+import { stepOf } from '../../../www/lesson/steps.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { evaluate, seedRuns, shown } from '../harness/core.js';
 import { contest, engine, evolvedBest, yard } from './duel-task.js';
 import { opened } from './links.js';
 import { answered, liveOf, tryOf } from './live.js';
 import { test } from '../harness/once.js';
+
+const step = stepOf('duel');
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 

@@ -3,14 +3,16 @@ import { generationSlice } from '../../../www/parts/generation/state.js';
 import { dissect } from '../../../www/parts/generation/record.js';
 import { anatomyOf as anatomyIn, placeByCost } from '../../../www/lesson/anatomy.js';
 import { gainFormula, sigmaFormula } from '../../../www/lesson/formulas/formulas.js';
-import { generation as step, question } from '../../../www/lesson/steps/generation.js';
+import { question } from '../../../www/lesson/steps/generation.js';
 import { generation as words } from '../../../www/lesson/words/en/generation.js';
+import { stepOf } from '../../../www/lesson/steps.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { Evolution, experiment, simulate, wordFields } from '../harness/core.js';
 import { evolved, opened, shownIn } from './links.js';
 import { answered, liveOf, numbersOn, toldBy, tryOf } from './live.js';
 import { test } from '../harness/once.js';
 
+const step = stepOf('generation');
 const usual = experiment('velocity-limits');
 
 /** The generation that a link shows. @param {string} link */
@@ -21,15 +23,13 @@ function anatomyOf(link) {
 
 /** The records of the first generations of some seeds. @param {number} seeds @param {number} generations */
 function recordsOf(seeds, generations) {
-  const records = [];
-  for (let seed = 1; seed <= seeds; seed++) {
-    const evolution = new Evolution({ ...usual, evolution: { ...usual.evolution, seed } });
-    for (let g = 1; g <= generations; g++) {
+  return Array.from({ length: seeds }, (_, i) => {
+    const evolution = new Evolution({ ...usual, evolution: { ...usual.evolution, seed: i + 1 } });
+    return Array.from({ length: generations }, (_, g) => {
       evolution.step();
-      records.push(evolution.record(g));
-    }
-  }
-  return records;
+      return evolution.record(g + 1);
+    });
+  }).flat();
 }
 
 /** The links within a text. @param {string} text */

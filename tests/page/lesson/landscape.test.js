@@ -1,14 +1,16 @@
 // What the lesson says of the landscape is so.
 import assert from 'node:assert/strict';
 import { landscapeSlice } from '../../../www/parts/landscape/state.js';
-import { landscape as step } from '../../../www/lesson/steps/landscape.js';
 import { landscape as en } from '../../../www/lesson/words/en/landscape.js';
 import { landscape as ko } from '../../../www/lesson/words/ko/landscape.js';
+import { stepOf } from '../../../www/lesson/steps.js';
 import { pageTest } from '../harness/browsers.js';
 import { Evolution, evaluate, experiment, landscape, paperGains, simulate } from '../harness/core.js';
 import { driven, linkOf, opened, shownIn } from './links.js';
 import { answered, tryOf } from './live.js';
 import { test } from '../harness/once.js';
+
+const step = stepOf('landscape');
 
 const { experiment: own } = opened(step.link);
 const ky = shownIn(step.link, landscapeSlice).third ?? Number.NaN;

@@ -1,13 +1,15 @@
 import assert from 'node:assert/strict';
 import { pushesOf } from '../../../www/lesson/views/push-terms.js';
-import { law as step } from '../../../www/lesson/steps/law.js';
 import { law as words } from '../../../www/lesson/words/en/law.js';
 import { law as korean } from '../../../www/lesson/words/ko/law.js';
 import { signed } from '../../../www/words/numbers.js';
+import { stepOf } from '../../../www/lesson/steps.js';
 import { pageTest } from '../harness/browsers.js';
 import { experiment, paperGains } from '../harness/core.js';
 import { answerOf, driven, engine, linkOf, opened, samples } from './links.js';
 import { test } from '../harness/once.js';
+
+const step = stepOf('law');
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../../../www/core/engine.js').Sample} Sample */

@@ -1,15 +1,17 @@
 import assert from 'node:assert/strict';
-import { paper as step } from '../../../www/lesson/steps/paper.js';
 import { asPrinted } from '../../../www/lesson/printed.js';
 import { paper as en } from '../../../www/lesson/words/en/paper.js';
 import { paper as ko } from '../../../www/lesson/words/ko/paper.js';
 import { costText } from '../../../www/words/en/numbers.js';
+import { stepOf } from '../../../www/lesson/steps.js';
 import { evolve, experiment, paper, paperGains, simulate } from '../harness/core.js';
 import { engine } from './links.js';
 import { answered, liveOf, toldBy } from './live.js';
 import { driven, opened } from './links.js';
 import { pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
+
+const step = stepOf('paper');
 
 const presets = /** @type {const} */ (['velocity-limits', 'acceleration-limits']);
 const triesOf = step.blocks.flatMap((block) => (block.kind === 'tries' ? block.tries : []));

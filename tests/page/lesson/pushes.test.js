@@ -1,9 +1,11 @@
 import assert from 'node:assert/strict';
 import { largestAt, pushesOf, pushesOver } from '../../../www/lesson/views/push-terms.js';
-import { law as step } from '../../../www/lesson/steps/law.js';
+import { stepOf } from '../../../www/lesson/steps.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { engine, linkOf, opened } from './links.js';
 import { test } from '../harness/once.js';
+
+const step = stepOf('law');
 
 /** @typedef {import('../../../www/core/engine.js').Triple} Triple */
 

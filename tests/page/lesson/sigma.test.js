@@ -1,13 +1,15 @@
 import assert from 'node:assert/strict';
 import { generationSlice } from '../../../www/parts/generation/state.js';
-import { sigma as step } from '../../../www/lesson/steps/sigma.js';
 import { sigma as words } from '../../../www/lesson/words/en/sigma.js';
 import { sigma as korean } from '../../../www/lesson/words/ko/sigma.js';
+import { stepOf } from '../../../www/lesson/steps.js';
 import { pageTest } from '../harness/browsers.js';
 import { Evolution, experiment, learningRates, seedRuns } from '../harness/core.js';
 import { evolved, shownIn } from './links.js';
 import { answered, tryOf } from './live.js';
 import { test } from '../harness/once.js';
+
+const step = stepOf('sigma');
 
 const usual = experiment('velocity-limits');
 

@@ -1,6 +1,6 @@
 // What the lesson says of starts that evolution did not see is so.
 import assert from 'node:assert/strict';
-import { cheapTurns, task as step } from '../../../www/lesson/steps/task.js';
+import { cheapTurns } from '../../../www/lesson/steps/task.js';
 import { gridAround, sharesBySide, tally } from '../../../www/parts/robustness/grid.js';
 import { createSets } from '../../../www/parts/training/sets.js';
 import { pageTest } from '../harness/browsers.js';
@@ -14,9 +14,12 @@ import {
   startsOnCircle,
 } from '../harness/core.js';
 import { yardOf } from '../../../www/lesson/duel/yard.js';
+import { stepOf } from '../../../www/lesson/steps.js';
 import { driven, engine, opened } from './links.js';
 import { answered, liveOf, numbersOn, toldBy, tryOf } from './live.js';
 import { test } from '../harness/once.js';
+
+const step = stepOf('task');
 
 /** @typedef {import('../harness/core.js').Experiment} Experiment */
 /** @typedef {import('../harness/core.js').Gains} Gains */

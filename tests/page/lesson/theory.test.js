@@ -1,12 +1,15 @@
 import assert from 'node:assert/strict';
-import { limits, risesFromEverywhere } from '../../../www/lesson/steps/limits.js';
-import { stability } from '../../../www/lesson/steps/stability.js';
+import { risesFromEverywhere } from '../../../www/lesson/steps/limits.js';
 import { stability as words } from '../../../www/lesson/words/en/stability.js';
 import { stability as ko } from '../../../www/lesson/words/ko/stability.js';
+import { stepOf } from '../../../www/lesson/steps.js';
 import { paperGains, simulate } from '../harness/core.js';
 import { driven, engine, linkOf, opened, samples } from './links.js';
 import { answered, liveOf, toldBy } from './live.js';
 import { test } from '../harness/once.js';
+
+const limits = stepOf('limits');
+const stability = stepOf('stability');
 
 /** Every sample of the robot by hand or of the paper's EP gains. @param {string} link */
 function samplesOf(link) {

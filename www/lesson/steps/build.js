@@ -5,14 +5,11 @@ import { createDownloads, createCheckValues } from '../views/check-values.js';
 import { errorRateFormula, motionFormula } from '../formulas/formulas-motion.js';
 import { lawFormula } from '../formulas/formulas.js';
 import { tries } from '../questions/asks.js';
-import { path } from '../path.js';
 
-/** @import { Step } from '../steps.js' */
+/** @import { Written } from '../steps.js' */
 
-/** @type {Step} */
+/** @type {Written} */
 export const build = {
-  name: 'build',
-  link: path.build,
   figure: 'evolve',
   blocks: [
     { kind: 'text', name: 'begin' },

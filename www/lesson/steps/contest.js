@@ -3,14 +3,13 @@ import { contestOf, isWhole } from '../../parts/luck/contest-asked.js';
 import { standingsOf } from '../../parts/luck/contest-summary.js';
 import { luckSlice } from '../../parts/luck/state.js';
 import { quiz, tries } from '../questions/asks.js';
-import { path } from '../path.js';
 
 /** @import { Contestant } from '../../parts/luck/contestants.js' */
 /** @import { Standing } from '../../parts/luck/contest-summary.js' */
 /** @import { Store } from '../../run/store.js' */
 /** @import { Live } from '../page.js' */
 /** @import { Quiz } from '../questions/quiz.js' */
-/** @import { Step } from '../steps.js' */
+/** @import { Written } from '../steps.js' */
 /** @typedef {Pick<Standing, 'name' | 'count' | 'reached' | 'ert' | 'comparison' | 'told'>} Row What the words tell of a contestant. */
 
 /** A little above the best that is known, and far above it. */
@@ -110,10 +109,8 @@ const rivals = contestQuiz(
   [0, 2, 1],
 );
 
-/** @type {Step} */
+/** @type {Written} */
 export const contest = {
-  name: 'contest',
-  link: path.contest,
   figure: 'evolve',
   blocks: [
     { kind: 'text', name: 'begin' },

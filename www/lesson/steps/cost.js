@@ -6,11 +6,10 @@ import { costFormula } from '../formulas/formulas.js';
 import { entrantsOf, createStandings, gentle, winnerOf } from '../views/standings.js';
 import { createWeights } from '../views/weights.js';
 import { quiz, tries } from '../questions/asks.js';
-import { path } from '../path.js';
 
 /** @import { Engine, Triple } from '../../core/engine.js' */
 /** @import { Live } from '../page.js' */
-/** @import { Step } from '../steps.js' */
+/** @import { Written } from '../steps.js' */
 
 const byHand = 'lab&drives=hand&gains=3,1,5';
 const heavy = 'weights.velocity=5,5';
@@ -47,10 +46,8 @@ const costsOfKy = remember((/** @type {Engine} */ engine) =>
     .map(({ cost: { total } }) => lab.costText(total)),
 );
 
-/** @type {Step} */
+/** @type {Written} */
 export const cost = {
-  name: 'cost',
-  link: path.cost,
   figure: 'drive',
   stage: { place: 'instead', pages: ['lab'], create: createStandings },
   blocks: [

@@ -8,10 +8,9 @@ import { robustFormula } from '../formulas/formulas.js';
 import { createNearGoal } from '../views/near-goal.js';
 import { createTheoremNow } from '../views/theorem-now.js';
 import { quiz, tries } from '../questions/asks.js';
-import { path } from '../path.js';
 
 /** @import { Engine, Experiment, Posture, Run, Triple } from '../../core/engine.js' */
-/** @import { Step } from '../steps.js' */
+/** @import { Written } from '../steps.js' */
 
 const slip = { kind: /** @type {const} */ ('slip'), linear: 0.1, angular: 0, seed: 1 };
 /** What remains is what the last seconds still have. */
@@ -40,10 +39,8 @@ const slippedOf = remember((/** @type {Engine} */ engine, /** @type {Triple} */ 
   };
 });
 
-/** @type {Step} */
+/** @type {Written} */
 export const disturbance = {
-  name: 'disturbance',
-  link: path.disturbance,
   figure: 'plane',
   stage: { place: 'beside', pages: ['disturbance'], create: createNearGoal },
   blocks: [

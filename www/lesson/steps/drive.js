@@ -3,14 +3,11 @@ import { gainsOf } from '../../run/drivers.js';
 import { createTallyLine } from '../duel/tally-line.js';
 import { lab } from '../../words/index.js';
 import { quiz, tries } from '../questions/asks.js';
-import { path } from '../path.js';
 
-/** @import { Step } from '../steps.js' */
+/** @import { Written } from '../steps.js' */
 
-/** @type {Step} */
+/** @type {Written} */
 export const drive = {
-  name: 'drive',
-  link: path.drive,
   figure: 'drive',
   blocks: [
     { kind: 'text', name: 'begin' },

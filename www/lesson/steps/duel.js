@@ -9,15 +9,12 @@ import {
   priceInYard,
 } from '../duel/duel-view.js';
 import { quiz, tries } from '../questions/asks.js';
-import { path } from '../path.js';
 import words from '../words/index.js';
 
-/** @import { Step } from '../steps.js' */
+/** @import { Written } from '../steps.js' */
 
-/** @type {Step} */
+/** @type {Written} */
 export const duel = {
-  name: 'duel',
-  link: path.duel,
   figure: 'plane',
   sight: 'gains',
   stage: { place: 'instead', pages: ['lab'], create: createDuelStage },

@@ -1,14 +1,11 @@
 // Where the goal is, seen from the robot.
 import { errorFormula, errorNumbers } from '../formulas/formulas.js';
 import { quiz, tries } from '../questions/asks.js';
-import { path } from '../path.js';
 
-/** @import { Step } from '../steps.js' */
+/** @import { Written } from '../steps.js' */
 
-/** @type {Step} */
+/** @type {Written} */
 export const error = {
-  name: 'error',
-  link: path.error,
   figure: 'plane',
   overlay: true,
   time: () => 0,

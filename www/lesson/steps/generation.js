@@ -9,19 +9,16 @@ import { isSame } from '../aside.js';
 import { gainFormula } from '../formulas/formulas.js';
 import { createNewborn } from '../views/newborn.js';
 import { quiz, tries } from '../questions/asks.js';
-import { path } from '../path.js';
 
 /** @import { Engine, Experiment } from '../../core/engine.js' */
 /** @import { Anatomy } from '../../parts/generation/record.js' */
-/** @import { Step } from '../steps.js' */
+/** @import { Written } from '../steps.js' */
 
 /** The two whose fates the first question is about: offspring 11 and 9 of generation 1. The figure names another such pair. */
 export const question = { better: 30, worse: 28 };
 
-/** @type {Step} */
+/** @type {Written} */
 export const generation = {
-  name: 'generation',
-  link: path.generation,
   figure: 'evolve',
   stage: { place: 'instead', pages: ['generation'], create: createNewborn },
   blocks: [

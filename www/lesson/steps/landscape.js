@@ -10,7 +10,7 @@ import { path } from '../path.js';
 
 /** @import { Engine } from '../../core/engine.js' */
 /** @import { Landscape } from '../../parts/landscape/request.js' */
-/** @import { Step } from '../steps.js' */
+/** @import { Written } from '../steps.js' */
 
 /** The map with which the step opens, with another goal. */
 const turned = `${path.landscape}&goal.theta=90deg`;
@@ -24,10 +24,8 @@ const floorShare = remember((/** @type {Float64Array} */ costs) => {
   return costs.filter((cost) => cost < floor * least).length / costs.length;
 });
 
-/** @type {Step} */
+/** @type {Written} */
 export const landscape = {
-  name: 'landscape',
-  link: path.landscape,
   figure: 'evolve',
   blocks: [
     { kind: 'text', name: 'map' },

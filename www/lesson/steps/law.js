@@ -5,11 +5,10 @@ import { lawFormula } from '../formulas/formulas.js';
 import { largestAt } from '../views/push-terms.js';
 import { createPushes } from '../views/pushes.js';
 import { quiz, tries } from '../questions/asks.js';
-import { path } from '../path.js';
 
 /** @import { Engine, Experiment, Triple } from '../../core/engine.js' */
 /** @import { Live } from '../page.js' */
-/** @import { Step } from '../steps.js' */
+/** @import { Written } from '../steps.js' */
 
 /** From here each gain alone brings its own error to zero and leaves the others. */
 const start = { x: 1.5, y: 0.5, theta: 0 };
@@ -62,10 +61,8 @@ function withoutKyFrom({ engine, scene }) {
   };
 }
 
-/** @type {Step} */
+/** @type {Written} */
 export const law = {
-  name: 'law',
-  link: path.law,
   figure: 'plane',
   time: ({ samples }) => largestAt(samples),
   overlay: true,

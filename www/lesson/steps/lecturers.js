@@ -1,8 +1,7 @@
 // For lecturers. A demonstration, a lab sheet, questions for an exam; every claim is held by a test of its link.
 import { sheet } from '../sheet.js';
-import { path } from '../path.js';
 
-/** @import { Step } from '../steps.js' */
+/** @import { Written } from '../steps.js' */
 
 export const demonstration = sheet('demonstration', [
   ['park', 'lab&drives=hand&gains=3,0,0'],
@@ -53,10 +52,8 @@ const examItems = [
 
 export const exam = sheet('exam', examItems, 'tasks');
 
-/** @type {Step} */
+/** @type {Written} */
 export const lecturers = {
-  name: 'lecturers',
-  link: path.lecturers,
   figure: 'driver',
   blocks: [
     { kind: 'text', name: 'begin' },

@@ -4,11 +4,10 @@ import { remember } from '../../kit/memo.js';
 import { fixed } from '../../words/numbers.js';
 import { createAsked } from '../views/asked.js';
 import { quiz, tries } from '../questions/asks.js';
-import { path } from '../path.js';
 
 /** @import { Samples, Triple } from '../../core/engine.js' */
 /** @import { Live } from '../page.js' */
-/** @import { Step } from '../steps.js' */
+/** @import { Written } from '../steps.js' */
 
 const unlimited = 'limits.speed=off&limits.turnRate=off';
 
@@ -68,10 +67,8 @@ const epOf = remember((/** @type {Live['engine']} */ engine, /** @type {Triple} 
   runsWith(engine, engine.experiment('velocity-limits'), gains),
 );
 
-/** @type {Step} */
+/** @type {Written} */
 export const limits = {
-  name: 'limits',
-  link: path.limits,
   figure: 'plane',
   stage: { place: 'beside', pages: ['curves'], create: createAsked },
   blocks: [

@@ -5,10 +5,9 @@ import { fixed } from '../../words/numbers.js';
 import { asPrinted } from '../printed.js';
 import { createChoicesTable, createPaperTable } from '../views/paper-table.js';
 import { quiz, tries } from '../questions/asks.js';
-import { path } from '../path.js';
 
 /** @import { Live } from '../page.js' */
-/** @import { Step } from '../steps.js' */
+/** @import { Written } from '../steps.js' */
 
 /** The run of one row of the paper, in its own preset. @param {Live} live @param {number} row */
 function runOf({ engine, paper }, row) {
@@ -22,10 +21,8 @@ const costsOf = (live) => live.paper.map((_, row) => runOf(live, row).cost.total
 /** With the commanded velocity in the energy. @param {Live} live */
 const printedOf = (live) => live.paper.map((_, row) => asPrinted(live, row));
 
-/** @type {Step} */
+/** @type {Written} */
 export const paper = {
-  name: 'paper',
-  link: path.paper,
   figure: 'drive',
   blocks: [
     { kind: 'text', name: 'same' },

@@ -5,18 +5,15 @@ import { fixed } from '../../words/numbers.js';
 import { sigmaFormula } from '../formulas/formulas.js';
 import { createLineage } from '../views/lineage.js';
 import { quiz, tries } from '../questions/asks.js';
-import { path } from '../path.js';
 
-/** @import { Step } from '../steps.js' */
+/** @import { Written } from '../steps.js' */
 
 /** What counts as the same J in the answers: nothing that one sees of a drive. */
 const same = 0.01;
 const usualSigma = 1;
 
-/** @type {Step} */
+/** @type {Written} */
 export const sigma = {
-  name: 'sigma',
-  link: path.sigma,
   figure: 'evolve',
   stage: { place: 'instead', pages: ['lab'], create: createLineage },
   blocks: [

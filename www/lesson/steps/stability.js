@@ -6,16 +6,13 @@ import { createCancel } from '../views/cancel.js';
 import { chainFormula, errorRateFormula, motionFormula } from '../formulas/formulas-motion.js';
 import { lyapunovFormula, rateFormula } from '../formulas/formulas.js';
 import { quiz, tries } from '../questions/asks.js';
-import { path } from '../path.js';
 
-/** @import { Step } from '../steps.js' */
+/** @import { Written } from '../steps.js' */
 
 const unlimited = 'limits.speed=off&limits.turnRate=off';
 
-/** @type {Step} */
+/** @type {Written} */
 export const stability = {
-  name: 'stability',
-  link: path.stability,
   figure: 'plane',
   stage: { place: 'beside', pages: ['curves'], create: createBowl },
   blocks: [

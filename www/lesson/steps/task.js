@@ -15,12 +15,11 @@ import shared from '../words/index.js';
 import { createWeights } from '../views/weights.js';
 import { yardOf } from '../duel/yard.js';
 import { quiz, tries } from '../questions/asks.js';
-import { path } from '../path.js';
 
 /** @import { Engine, Triple } from '../../core/engine.js' */
 /** @import { Live, Tools } from '../page.js' */
 /** @import { Quiz } from '../questions/quiz.js' */
-/** @import { Step } from '../steps.js' */
+/** @import { Written } from '../steps.js' */
 
 /** The generation that the step speaks of. */
 const evolvedTo = 100;
@@ -43,10 +42,8 @@ const evolvesAll = {
   ready: ({ state }) => trainingIsDone(state),
 };
 
-/** @type {Step} */
+/** @type {Written} */
 export const task = {
-  name: 'task',
-  link: path.task,
   figure: 'evolve',
   stage: { place: 'instead', pages: ['lab'], after: 'share', create: createTaskStage },
   blocks: [
