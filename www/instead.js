@@ -43,9 +43,7 @@ export function showInstead(error) {
 
 /** In a place of its own, for the page may still draw. @param {HTMLElement} place @param {string} text */
 function sayBefore(place, text) {
-  const message = create('p', 'message', text);
-  message.setAttribute('role', 'alert');
-  place.before(message);
+  place.before(create('p', { class: 'message', role: 'alert' }, text));
 }
 
 /** After a panic or a trap the core must not be used again: whatever is pressed then might be answered wrongly. @param {(why: string) => void} onFailure */

@@ -4,21 +4,30 @@ export const byId = (id) => /** @type {T} */ (document.getElementById(id));
 /** As byId(), of what stands in no page yet. @template {HTMLElement} [T=HTMLElement] @param {ParentNode} root @param {string} id @returns {T} */
 export const byIdIn = (root, id) => /** @type {T} */ (root.querySelector(`#${id}`));
 
-/** A new element with what it holds. @param {string} tag @param {string} className @param {(Node | string)[]} children */
-export function create(tag, className, ...children) {
-  const element = document.createElement(tag);
-  if (className) element.className = className;
-  element.append(...children);
-  return element;
+/** @typedef {Record<string, string | number>} Attributes */
+
+/** A new element with what it holds. @param {string} tag @param {string | Attributes} given its class, or all attributes that it has @param {(Node | string)[]} children */
+export function create(tag, given, ...children) {
+  const attributes = typeof given === 'object' ? given : given && { class: given };
+  return fill(document.createElement(tag), attributes || {}, children);
 }
 
-/** A new element of a picture. @param {string} tag @param {Record<string, string | number>} attributes @param {(Node | string)[]} children */
+/** A new element of a picture. @param {string} tag @param {Attributes} attributes @param {(Node | string)[]} children */
 export function svg(tag, attributes, ...children) {
   const element = /** @type {SVGElement} */ (document.createElementNS('http://www.w3.org/2000/svg', tag));
+  return fill(element, attributes, children);
+}
+
+/** @template {Element} E @param {E} element @param {Attributes} attributes @param {(Node | string)[]} children */
+function fill(element, attributes, children = []) {
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
   element.append(...children);
   return element;
 }
+
+/** What a slider that is no input says where it is not seen. @param {Element} element @param {number} min @param {number} max @param {number} now @param {string} text */
+export const tellValue = (element, min, max, now, text) =>
+  fill(element, { 'aria-valuemin': min, 'aria-valuemax': max, 'aria-valuenow': now, 'aria-valuetext': text });
 
 /** Only what is new: a button whose text is replaced while it is held gets no click in WebKit. @param {Element} element @param {string} text */
 export function write(element, text) {

@@ -12,9 +12,7 @@ const patienceHere = 1000;
 
 /** @param {{ stopComputing: () => void }} actions */
 export function createComputing({ stopComputing }) {
-  const place = create('div', 'computing');
-  place.id = 'computing';
-  place.hidden = true;
+  const place = create('div', { id: 'computing', class: 'computing', hidden: '' });
   byId('message').after(place);
   addEventListener('keydown', (event) => {
     // Or it was for something else, as the closing of a dialog is.

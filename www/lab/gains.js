@@ -42,8 +42,7 @@ const shown = (/** @type {number} */ value) => strings.typed(value, 3);
  */
 export function createRow(gain, index, events, unit = '') {
   const { id } = gain;
-  const row = create('div', `gain ${id}`);
-  row.dataset.term = id === 'ktheta' ? 'kt' : id;
+  const row = create('div', { class: `gain ${id}`, 'data-term': id === 'ktheta' ? 'kt' : id });
   // What somebody is typing is not overwritten by what evolution finds meanwhile.
   let typing = false;
   // Keys go step by step, and need no help.

@@ -1,6 +1,7 @@
 // Start and goal in the hand: transparent buttons over the plane, for pointer, touch and keyboard.
 /** @import { Posture } from '../core/engine.js' */
 /** @import { View } from '../kit/transform.js' */
+import { create, tellValue } from '../kit/elements.js';
 import { keepInside, knobOf } from '../kit/transform.js';
 import { arrowOf } from '../kit/keyboard.js';
 import { watch } from '../kit/memo.js';
@@ -44,18 +45,12 @@ export function createHandles(root, events) {
 
 /** @param {End} end @param {Part} part @param {() => View | undefined} current @param {HandleEvents} events */
 function createHandle(end, part, current, events) {
-  const button = document.createElement('button');
-  button.type = 'button';
-  button.id = `${end}-${part}`;
-  button.className = `handle ${part}`;
   const name = end === 'start' ? strings.startName : strings.goalName;
-  // Nothing is pressed here, and of what is no button the arrow keys reach the page.
-  button.setAttribute('role', 'slider');
   const isHeading = part === 'heading';
-  const far = isHeading ? 180 : farthest;
-  button.setAttribute('aria-label', isHeading ? strings.headingLabel(name) : strings.positionLabel(name));
-  button.setAttribute('aria-valuemin', String(-far));
-  button.setAttribute('aria-valuemax', String(far));
+  const label = isHeading ? strings.headingLabel(name) : strings.positionLabel(name);
+  const attributes = { id: `${end}-${part}`, class: `handle ${part}`, type: 'button', 'aria-label': label };
+  // Nothing is pressed here, and of what is no button the arrow keys reach the page.
+  const button = create('button', { ...attributes, role: 'slider' });
   drag(button, end, part, current, events);
 
   // A key that is held is one gesture, like a drag.
@@ -88,16 +83,13 @@ function createHandle(end, part, current, events) {
         : { px: model.view.screenX(posture.x), py: model.view.screenY(posture.y) };
       button.style.transform = `translate(${px}px, ${py}px) translate(-50%, -50%)`;
       const { x, theta } = posture;
-      button.setAttribute('aria-valuenow', String(isHeading ? (theta * 180) / Math.PI : x));
-      button.setAttribute(
-        'aria-valuetext',
-        isHeading ? strings.degrees(theta) : strings.postureText(posture),
-      );
+      if (isHeading) tellValue(button, -180, 180, (theta * 180) / Math.PI, strings.degrees(theta));
+      else tellValue(button, -farthest, farthest, x, strings.postureText(posture));
     },
   };
 }
 
-/** @param {HTMLButtonElement} button @param {End} end @param {Part} part @param {() => View | undefined} current @param {HandleEvents} events */
+/** @param {HTMLElement} button @param {End} end @param {Part} part @param {() => View | undefined} current @param {HandleEvents} events */
 function drag(button, end, part, current, events) {
   /** @type {{ pointerId: number, before: Posture, offsetX: number, offsetY: number } | null} */
   let held = null;

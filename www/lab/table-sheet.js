@@ -18,8 +18,7 @@ const sheet = once(() => createSheet('table', 'table-sheet', '', opening.texts.c
 /** @param {Table | null} table If there is one. */
 export function showTable(table) {
   if (!table) return;
-  const rows = /** @type {HTMLTableElement} */ (create('table', ''));
-  rows.id = 'table-rows';
+  const rows = /** @type {HTMLTableElement} */ (create('table', { id: 'table-rows' }));
   draw(table, rows, 0);
   sheet().open();
 }

@@ -5,8 +5,7 @@ import { isLost } from '../words/errors.js';
 import { opening as words } from '../words/index.js';
 
 export function createWaiting() {
-  const said = create('p', 'part-waits', words.waits);
-  said.setAttribute('role', 'status');
+  const said = create('p', { class: 'part-waits', role: 'status' }, words.waits);
   const element = create('div', '', said);
   return {
     element,
@@ -14,16 +13,15 @@ export function createWaiting() {
     fail(error) {
       if (isLost(error)) throw error;
       console.warn(error);
-      const again = create('button', '', words.again);
-      again.setAttribute('type', 'button');
+      const again = create('button', { type: 'button' }, words.again);
       const still = create('p', '', '');
       again.addEventListener('click', async () => {
         still.textContent = '';
         if (!(await loadPageAgain())) still.textContent = words.still;
       });
-      const box = create('div', 'message part-failed', create('p', '', words.failed), again, still);
-      box.setAttribute('role', 'alert');
-      element.replaceChildren(box);
+      const failed = create('p', '', words.failed);
+      const box = { class: 'message part-failed', role: 'alert' };
+      element.replaceChildren(create('div', box, failed, again, still));
     },
   };
 }

@@ -52,8 +52,7 @@ export function createStep(article, step, number, tools) {
 /** What would give an answer away is not there before it. @param {Part} part @param {Content} block @param {Step} step @returns {Part} */
 function masked(part, { after }, step) {
   if (!after) return part;
-  const element = create('div', 'after');
-  element.hidden = true;
+  const element = create('div', { class: 'after', hidden: '' });
   render(html`${part.element}`, element);
   return {
     element,

@@ -37,12 +37,9 @@ export function inline(text, hrefOf) {
     add(joined.slice(end, match.index));
     end = match.index + whole.length;
     if (strong) nodes.push(create('strong', '', ...inline(strong, hrefOf)));
-    else if (words) nodes.push(Object.assign(create('a', '', words), { href: hrefOf(link) }));
-    else if (live) {
-      const value = create('span', 'live', '–');
-      value.dataset.value = name;
-      nodes.push(value);
-    } else if (isSymbol(name)) nodes.push(symbolInText(name));
+    else if (words) nodes.push(create('a', { href: hrefOf(link) }, words));
+    else if (live) nodes.push(create('span', { class: 'live', 'data-value': name }, '–'));
+    else if (isSymbol(name)) nodes.push(symbolInText(name));
     else throw new Error(`lesson: {${name}} is no symbol`);
   }
   add(joined.slice(end));

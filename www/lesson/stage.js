@@ -17,11 +17,8 @@ export function stageOf(step, state) {
 
 /** @param {Tools} tools */
 export function createStage(tools) {
-  const element = create('section', 'stage');
-  element.id = 'stage';
-  element.hidden = true;
-  element.dataset.picture = 'step';
-  element.setAttribute('aria-label', words.stage);
+  const picture = { 'data-picture': 'step', 'aria-label': words.stage };
+  const element = create('section', { id: 'stage', class: 'stage', hidden: '', ...picture });
   byId('sights').after(element);
   /** @type {Block | null} */
   let block = null;

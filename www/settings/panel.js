@@ -24,10 +24,7 @@ const openGroups = ['limits', 'weights'];
 
 /** Beside the instrument, closed. Its title is still to come. @param {string} id @param {string} className */
 export function createPanel(id, className) {
-  const panel = create('aside', className);
-  panel.id = id;
-  panel.hidden = true;
-  panel.setAttribute('aria-labelledby', `${id}-title`);
+  const panel = create('aside', { id, class: className, hidden: '', 'aria-labelledby': `${id}-title` });
   byId('instrument').prepend(panel);
   return panel;
 }

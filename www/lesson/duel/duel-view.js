@@ -73,8 +73,7 @@ export function createDuelStage(tools, _words) {
 
 /** Your trials so far, what you have beaten, and the button that locks them in. @param {Tools} tools @param {Words} words @returns {Block} */
 export function createDuelDrives({ store }, { duel: words }) {
-  const element = create('section', 'duel');
-  element.setAttribute('aria-label', words.drivesLabel);
+  const element = create('section', { class: 'duel', 'aria-label': words.drivesLabel });
   const startOver = () => {
     const { [prediction]: _, ...answers } = progressSlice.of(store.get()).answers;
     update(store, { answers, tally: noTally, duel: null, sees: 'you' });
@@ -125,16 +124,13 @@ export function createDuelDrives({ store }, { duel: words }) {
 export function createDuelResult({ store, engine, actions }, { duel: words, texts }) {
   const rounds = createRounds({ store, engine, actions });
   const goOn = (/** @type {Duel} */ duel) => update(store, { duel: { ...duel, goesOn: !duel.goesOn } });
-  const picture = create('div', 'duel-plot');
-  picture.id = 'duel-plot';
-  picture.setAttribute('role', 'img');
+  const picture = create('div', { id: 'duel-plot', class: 'duel-plot', role: 'img' });
   const plot = createDuelPlot(picture, words);
   // What follows from it would give the answer away.
   const [beyond, within, after] = [texts.beyond, texts.within, texts.after].map((text) =>
     create('div', 'prose', ...paragraphs(text, (link) => `#${link}`)),
   );
-  const element = create('div', 'duel-result');
-  element.hidden = true;
+  const element = create('div', { class: 'duel-result', hidden: '' });
   const changed = watch();
 
   return {

@@ -24,12 +24,10 @@ const carOf = (scale) => Math.min(8.5, Math.max(4.5, 0.11 * scale));
 
 /** @param {Tools} tools @param {SwarmWords} words @param {(live: Live) => Seen} seenIn @returns {Block} */
 export function createSwarm({ store }, words, seenIn) {
-  const canvas = /** @type {HTMLCanvasElement} */ (create('canvas', ''));
-  canvas.setAttribute('role', 'img');
+  const canvas = /** @type {HTMLCanvasElement} */ (create('canvas', { role: 'img' }));
   const picture = create('div', 'swarm-picture layers', canvas);
   const head = create('div', 'swarm-head');
-  const element = create('div', 'swarm', head, picture);
-  element.id = 'swarm';
+  const element = create('div', { id: 'swarm', class: 'swarm' }, head, picture);
   const sizeOf = followSize(picture, () => store.redraw());
   const layer = createLayer(canvas);
   const film = createFilm(store);

@@ -12,11 +12,8 @@ import shared from '../words/index.js';
 /** @param {Tools} _tools @param {{ tally: (tally: Tally) => string }} words @returns {Block} */
 export function createTallyLine(_tools, words) {
   const best = create('p', '');
-  const beaten = create('p', '');
-  beaten.id = 'tally-beaten';
-  const element = create('div', 'tally', best, beaten);
-  element.id = 'tally';
-  element.setAttribute('role', 'status');
+  const beaten = create('p', { id: 'tally-beaten' });
+  const element = create('div', { id: 'tally', class: 'tally', role: 'status' }, best, beaten);
   return {
     element,
     draw(/** @type {Live} */ live) {

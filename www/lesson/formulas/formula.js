@@ -11,11 +11,8 @@ import { isSymbol, mathml, symbol } from './symbols.js';
 function scroller(className, lines, leaf) {
   const math = mathml('math', mathml('mtable', ...lines.map((text) => lineOf(text, leaf))));
   math.setAttribute('display', 'block');
-  const element = create('div', className, math);
-  element.tabIndex = 0;
-  element.setAttribute('role', 'group');
-  element.setAttribute('aria-label', words.formula);
-  return element;
+  const attributes = { class: className, tabindex: 0, role: 'group', 'aria-label': words.formula };
+  return create('div', attributes, math);
 }
 
 /** @param {Formula} formula @returns {Block} */
@@ -37,9 +34,8 @@ export function createFormula({ label, lines, filled = lines, numbers }) {
   const now = scroller('formula-lines formula-now', filled, leafOf);
   withDots(now);
   now.hidden = true;
-  const button = create('button', 'link formula-button', words.showNumbers);
-  button.setAttribute('type', 'button');
-  button.setAttribute('aria-expanded', 'false');
+  const attributes = { class: 'link formula-button', type: 'button', 'aria-expanded': 'false' };
+  const button = create('button', attributes, words.showNumbers);
   let isOpen = false;
   let isKnown = true;
   const show = () => {

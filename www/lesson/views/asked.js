@@ -47,9 +47,7 @@ const largest = (values) =>
 
 /** @param {Tools} _tools @param {AskedWords} words @returns {Block} */
 export function createAsked(_tools, { asked: words }) {
-  const element = create('div', 'asked');
-  element.id = 'asked';
-  element.setAttribute('role', 'img');
+  const element = create('div', { id: 'asked', class: 'asked', role: 'img' });
   const chart = createChart(element, (context, size, /** @type {Model} */ model) => {
     context.font = strongFont;
     const { run, limits } = model;

@@ -47,8 +47,7 @@ const outline = Array.from({ length: 41 }, (_, i) => i / 20 - 1)
 
 /** @param {Tools} _tools @param {BowlWords} words @returns {Block} */
 export function createBowl(_tools, { bowl: words }) {
-  const element = create('div', 'bowl');
-  element.id = 'bowl';
+  const element = create('div', { id: 'bowl', class: 'bowl' });
   const changed = watch();
   const wayOf = remember((/** @type {Samples} */ samples) => {
     const spots = samples.map(spotOf);

@@ -15,8 +15,7 @@ const presses = 3;
 
 /** @param {Tools} tools @param {CancelWords} words @returns {Block} */
 export function createCancel({ store, actions }, { cancel: words }) {
-  const element = create('div', 'cancel');
-  element.id = 'cancel';
+  const element = create('div', { id: 'cancel', class: 'cancel' });
   let pressed = 0;
   const terms = rateTerms.map(({ text, pair, of }) => {
     const math = mathml('math', ...piecesOf(text, symbol));

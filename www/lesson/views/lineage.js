@@ -79,8 +79,7 @@ function createRecords({ engine, store }) {
 
 /** @param {Tools} tools @param {LineageWords} words @returns {Block} */
 export function createLineage(tools, { lineage: words }) {
-  const element = create('div', 'lineage');
-  element.id = 'lineage';
+  const element = create('div', { id: 'lineage', class: 'lineage' });
   const recordsOf = createRecords(tools);
   const sizeOf = followSize(element, () => tools.store.redraw());
   const changed = watch();

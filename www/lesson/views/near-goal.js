@@ -21,8 +21,7 @@ const robotOutline = carOutline(9);
 
 /** @param {Tools} tools @param {NearWords} words @returns {Block} */
 export function createNearGoal({ actions }, { near: words }) {
-  const element = create('div', 'near-goal');
-  element.id = 'near-goal';
+  const element = create('div', { id: 'near-goal', class: 'near-goal' });
   const again = () => {
     actions.scrub(0);
     actions.togglePlay();

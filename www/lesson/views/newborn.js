@@ -24,8 +24,7 @@ const isPaired = ({ method, record }) => !forgets(method) && record.offspring.le
 
 /** @param {Tools} tools @param {NewbornWords} words @returns {Block} */
 export function createNewborn({ engine, store }, { newborn: words }) {
-  const element = create('div', 'newborn');
-  element.id = 'newborn';
+  const element = create('div', { id: 'newborn', class: 'newborn' });
   const pictures = Array.from({ length: most }, () => createSmallDrive(store));
   const drivesOf = remember(
     (/** @type {Experiment} */ experiment, /** @type {Anatomy} */ anatomy, /** @type {boolean} */ isBorn) => {

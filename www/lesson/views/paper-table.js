@@ -11,11 +11,7 @@ const generations = 200;
 const presets = /** @type {const} */ (['velocity-limits', 'acceleration-limits']);
 
 /** @param {'col' | 'row'} scope @param {(Node | string)[]} content */
-function headCell(scope, ...content) {
-  const cell = create('th', '', ...content);
-  cell.setAttribute('scope', scope);
-  return cell;
-}
+const headCell = (scope, ...content) => create('th', { scope }, ...content);
 
 /** Heads above and before cells. @param {string} className @param {readonly string[]} head @param {(Node | string)[][]} rows */
 export function tableOf(className, head, rows) {
@@ -24,19 +20,13 @@ export function tableOf(className, head, rows) {
   const body = rows.map(([first, ...rest]) =>
     create('tr', '', headCell('row', first), ...rest.map((content) => create('td', '', content))),
   );
-  return create(
-    'table',
-    className,
-    create('thead', '', create('tr', '', ...heads)),
-    create('tbody', '', ...body),
-  );
+  const headRow = create('thead', '', create('tr', '', ...heads));
+  return create('table', className, headRow, create('tbody', '', ...body));
 }
 
 /** On a small screen, also by keyboard. @param {HTMLElement} table */
 function scrolling(table) {
-  const element = create('div', 'lesson-scroll', table);
-  element.tabIndex = 0;
-  return element;
+  return create('div', { class: 'lesson-scroll', tabindex: 0 }, table);
 }
 
 const gainsText = (/** @type {readonly number[]} */ gains) => gains.map((gain) => fixed(gain, 2)).join(', ');
@@ -44,8 +34,7 @@ const gainsText = (/** @type {readonly number[]} */ gains) => gains.map((gain) =
 /** @param {Tools} tools @param {any} words @returns {Block} */
 export function createPaperTable({ engine }, words) {
   const box = scrolling(create('table', ''));
-  const element = create('div', '', box);
-  element.id = 'paper-table';
+  const element = create('div', { id: 'paper-table' }, box);
   /** What evolution finds with the first seed, in each preset. @type {Map<string, Individual> | 'asked' | null} */
   let found = null;
   const draw = (/** @type {PaperResult[]} */ paper) => {

@@ -18,11 +18,9 @@ export function createProgram(_tools, { program: words }) {
       return line;
     },
   );
-  const element = create('ol', 'program', ...lines);
-  element.id = 'program';
-  element.setAttribute('aria-label', words.label);
   // On a small screen it scrolls, also by keyboard.
-  element.tabIndex = 0;
+  const attributes = { id: 'program', class: 'program', 'aria-label': words.label, tabindex: 0 };
+  const element = create('ol', attributes, ...lines);
   const changed = watch();
   return {
     element,

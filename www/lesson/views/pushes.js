@@ -30,8 +30,7 @@ const inWords = {
 export function createPushes(tools, { pushes: words }) {
   const bars = create('div', 'push-bars');
   const strip = createStrip(tools, words);
-  const element = create('div', '', bars, strip.element);
-  element.id = 'pushes';
+  const element = create('div', { id: 'pushes' }, bars, strip.element);
   const sides = [createSide('linear', words.speed, words), createSide('angular', words.turnRate, words)];
   const changed = watch();
   return {

@@ -50,9 +50,7 @@ export function createStandings({ engine, actions, store }, { standings: words }
   let beat = 0;
   /** The place of who drives by hand is that of the evolved robot while that one drives. */
   let isEvolved = false;
-  const element = create('table', 'standings');
-  element.id = 'standings';
-  element.setAttribute('aria-label', words.caption);
+  const element = create('table', { id: 'standings', class: 'standings', 'aria-label': words.caption });
   const changed = watch();
 
   /** @param {Entrant} name */

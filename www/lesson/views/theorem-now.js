@@ -12,8 +12,7 @@ import { inline } from '../prose.js';
 
 /** @param {Tools} _tools @param {HoldsWords} words @returns {Block} */
 export function createTheoremNow(_tools, { holds: words }) {
-  const element = create('div', 'holds');
-  element.id = 'theorem-now';
+  const element = create('div', { id: 'theorem-now', class: 'holds' });
   const changed = watch();
 
   return {

@@ -29,14 +29,10 @@ export function createWeights({ engine, actions }) {
   });
   const isMain = (/** @type {{ path: string }} */ { path }) => partOf(path) === 'energy';
   const elementsOf = (/** @type {typeof rows} */ some) => some.map(({ element }) => element);
-  const others = create(
-    'details',
-    '',
-    create('summary', '', words.otherWeights),
-    ...elementsOf(rows.filter((row) => !isMain(row))),
-  );
-  const element = create('fieldset', 'weights', ...elementsOf(rows.filter(isMain)), others);
-  element.id = 'weights';
+  const summary = create('summary', '', words.otherWeights);
+  const others = create('details', '', summary, ...elementsOf(rows.filter((row) => !isMain(row))));
+  const main = elementsOf(rows.filter(isMain));
+  const element = create('fieldset', { id: 'weights', class: 'weights' }, ...main, others);
   const originalOf = remember(engine.experiment);
   const changed = watch();
   return {

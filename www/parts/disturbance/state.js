@@ -2,19 +2,14 @@
 /** @import { Measured } from './request.js' */
 import { createSlice } from '../../run/store.js';
 
-/**
- * @typedef {object} DisturbanceState
- * @property {{ index: number, text: string } | null} error Beside one of its two sizes.
- * @property {Measured | null} measured
- * @property {string} message
- */
-
 export const disturbanceSlice = createSlice(
   'disturbance',
-  /** @type {DisturbanceState} */ ({
-    error: null,
-    measured: null,
+  {
+    /** Beside one of its two sizes. @type {{ index: number, text: string } | null} */ error: null,
+    /** @type {Measured | null} */ measured: null,
     message: '',
-  }),
+  },
   ['error'],
 );
+
+/** @typedef {ReturnType<typeof disturbanceSlice.of>} DisturbanceState */

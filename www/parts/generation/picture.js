@@ -1,7 +1,7 @@
 // The picture of a generation: every individual is a mark. Its height is its J; or it lies where its gains are, seen from two sides.
 /** @import { Place, Size } from './places.js' */
 /** @import { Anatomy, Phase } from './record.js' */
-import { followSize, svg } from '../../kit/elements.js';
+import { followSize, svg, tellValue } from '../../kit/elements.js';
 import { isChord } from '../../kit/keyboard.js';
 import { watch } from '../../kit/memo.js';
 import words from './words/index.js';
@@ -171,8 +171,6 @@ function pressed({ model, places, twins }, x, y) {
 /** For who does not see it. @param {HTMLElement} root @param {PictureModel} model */
 function describe(root, { anatomy, phase, chosen }) {
   const order = orderOf(anatomy, phase);
-  root.setAttribute('aria-valuemin', '1');
-  root.setAttribute('aria-valuemax', String(order.length));
-  root.setAttribute('aria-valuenow', String(Math.max(1, order.indexOf(chosen) + 1)));
-  root.setAttribute('aria-valuetext', words.chosenText(anatomy, phase, chosen));
+  const place = Math.max(1, order.indexOf(chosen) + 1);
+  tellValue(root, 1, order.length, place, words.chosenText(anatomy, phase, chosen));
 }

@@ -1,4 +1,5 @@
 // The lines of the contest that can be moved: by mouse, by finger, and by keys.
+import { create, tellValue } from '../../kit/elements.js';
 import { arrowOf, isChord } from '../../kit/keyboard.js';
 import { pointIn } from '../../kit/map.js';
 
@@ -24,13 +25,8 @@ const [step, wideStep] = [3, 24];
  * @param {HTMLElement} root @param {string} id @param {string} label @param {(value: number) => void} onMove
  */
 export function createHandle(root, id, label, onMove) {
-  const element = document.createElement('div');
-  element.id = id;
-  element.className = 'contest-handle';
-  element.tabIndex = 0;
-  element.setAttribute('role', 'slider');
-  element.setAttribute('aria-label', label);
-  element.hidden = true;
+  const attributes = { id, class: 'contest-handle', tabindex: 0, role: 'slider', 'aria-label': label };
+  const element = create('div', { ...attributes, hidden: '' });
   root.append(element);
   /** @type {Grip | null} */
   let grip = null;
@@ -80,10 +76,7 @@ export function createHandle(root, id, label, onMove) {
       element.dataset.along = next.along;
       element.setAttribute('aria-orientation', next.along === 'x' ? 'horizontal' : 'vertical');
       const [least, most] = next.range;
-      element.setAttribute('aria-valuemin', String(Math.min(least, next.value)));
-      element.setAttribute('aria-valuemax', String(Math.max(most, next.value)));
-      element.setAttribute('aria-valuenow', String(next.value));
-      element.setAttribute('aria-valuetext', next.text);
+      tellValue(element, Math.min(least, next.value), Math.max(most, next.value), next.value, next.text);
     },
     /** How far a point is from its line, in pixels. @param {readonly [number, number]} point */
     distanceTo: ([x, y]) => (grip ? Math.abs(grip.along === 'x' ? x - grip.x : y - grip.y) : Infinity),

@@ -14,64 +14,37 @@ export const budgets = /** @type {const} */ ([1000, 4000, 20_000]);
 export const counts = /** @type {const} */ ([20, 100, 500]);
 export const lengths = /** @type {const} */ ([50, 100, 200]);
 
-/**
- * @typedef {object} LuckState
- * @property {typeof views[number]} view
- * @property {readonly Contestant[]} others Who runs beside the lab's own search.
- * @property {number} seeds With how many seeds each of them.
- * @property {number} budget For how many drives.
- * @property {number | null} target The J that is to be reached; null: a little above the lowest that was found.
- * @property {string} targetError
- * @property {typeof readings[number]} reading Which picture of the contest is shown.
- * @property {number | null} until The budget at which it is read, in drives; null: the whole.
- * @property {number | null} only Had one run only so many seeds; null: all.
- * @property {number} draw Which of them: the first, or others.
- * @property {Contest | null} contest
- * @property {boolean} contestRuns
- * @property {boolean} wanted Somebody asks for the contest that is set up.
- * @property {boolean} seedsWanted Somebody asks for the runs of many seeds.
- * @property {string} contestMessage
- * @property {number} count How many seeds to run next.
- * @property {number} generations For how many generations.
- * @property {boolean} log Costs are shown as the logarithm of their distance to the lowest.
- * @property {number | null} progress From 0 to 1 while seeds run.
- * @property {SeedSurvey | null} soFar While seeds run: those that have run.
- * @property {SeedSurvey | null} result
- * @property {number | null} chosen The index of a run.
- * @property {number | null} pointed The run under the pointer.
- * @property {boolean} cancelled
- * @property {string} message
- */
-
 export const luckSlice = createSlice(
   'luck',
-  /** @type {LuckState} */ ({
-    view: 'seeds',
+  {
+    /** @type {typeof views[number]} */ view: 'seeds',
+    /** Who runs beside the lab's own search. @type {readonly Contestant[]} */
     others: ['truncation', 'fixed', 'de'],
-    seeds: 51,
-    budget: 4000,
+    /** With how many seeds each of them. */ seeds: 51,
+    /** For how many drives. */ budget: 4000,
+    /** The J that is to be reached; null: a little above the lowest that was found. @type {number | null} */
     target: null,
     targetError: '',
-    reading: 'course',
-    until: null,
-    only: null,
-    draw: 0,
-    contest: null,
+    /** Which picture of the contest is shown. @type {typeof readings[number]} */ reading: 'course',
+    /** The budget at which it is read, in drives; null: the whole. @type {number | null} */ until: null,
+    /** Had one run only so many seeds; null: all. @type {number | null} */ only: null,
+    /** Which of them: the first, or others. */ draw: 0,
+    /** @type {Contest | null} */ contest: null,
     contestRuns: false,
-    wanted: false,
-    seedsWanted: false,
+    /** Somebody asks for the contest that is set up. */ wanted: false,
+    /** Somebody asks for the runs of many seeds. */ seedsWanted: false,
     contestMessage: '',
-    count: 100,
-    generations: 200,
-    log: false,
-    progress: null,
-    soFar: null,
-    result: null,
-    chosen: null,
-    pointed: null,
+    /** How many seeds to run next. */ count: 100,
+    /** For how many generations. */ generations: 200,
+    /** Costs are shown as the logarithm of their distance to the lowest. */ log: false,
+    /** From 0 to 1 while seeds run. @type {number | null} */ progress: null,
+    /** While seeds run: those that have run. @type {SeedSurvey | null} */ soFar: null,
+    /** @type {SeedSurvey | null} */ result: null,
+    /** The index of a run. @type {number | null} */ chosen: null,
+    /** The run under the pointer. @type {number | null} */ pointed: null,
     cancelled: false,
     message: '',
-  }),
+  },
   ['targetError', 'reading', 'until', 'only', 'draw'],
   ['contest', 'result', 'chosen'],
   ({ wanted, contestRuns, seedsWanted, progress }) => ({
@@ -79,3 +52,5 @@ export const luckSlice = createSlice(
     seedsWanted: seedsWanted || progress !== null,
   }),
 );
+
+/** @typedef {ReturnType<typeof luckSlice.of>} LuckState */

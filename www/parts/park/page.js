@@ -102,11 +102,9 @@ function createPlane() {
   const canvases = Array.from({ length: 3 }, () => document.createElement('canvas'));
   for (const canvas of canvases) canvas.setAttribute('aria-hidden', 'true');
   const note = create('div', 'park-look');
-  const plane = create('div', 'park-plane layers', ...canvases, note);
-  plane.dataset.picture = 'park';
-  plane.dataset.name = words.pictureName;
-  plane.setAttribute('role', 'application');
-  plane.tabIndex = 0;
+  const picture = { 'data-picture': 'park', 'data-name': words.pictureName };
+  const attributes = { class: 'park-plane layers', ...picture, role: 'application', tabindex: 0 };
+  const plane = create('div', attributes, ...canvases, note);
   return { plane, canvases, note };
 }
 

@@ -4,19 +4,6 @@ import { createSlice } from '../../run/store.js';
 
 /** Gains, and from how many of the starts they park. @typedef {{ gains: Triple, parked: number }} Tried */
 /** The best robot of a generation. @typedef {Tried & { generation: number, drives: number }} Bred */
-/**
- * @typedef {object} ParkState
- * @property {Triple | null} gains By hand; null: nobody has moved a slider.
- * @property {Tried | null} best The best by hand, of equals the last.
- * @property {readonly Bred[]} bred What evolution has shown, one a generation.
- * @property {boolean} evolving
- * @property {{ share: number, gains: Triple } | null} between The gains that drive, and how far from the best by hand they are on the way to evolution's; null: others drive.
- * @property {number | null} looked The robot that is looked at, by its start.
- * @property {number} seed
- * @property {Triple} ends Where the sliders end, which begin at 0. At first no hand parks all with them; they grow to where evolution has gone, and do not shrink.
- * @property {Triple} endsBefore Where they ended before evolution came to its end.
- * @property {string} message
- */
 
 /** Where no slider of a link goes beyond. */
 export const mostGain = 1000;
@@ -32,13 +19,25 @@ export const areBeyond = (gains, ends) => gains.some((gain, i) => gain > ends[i]
 
 const slice = createSlice(
   'park',
-  /** @type {ParkState} */ ({
-    ...{ gains: null, best: null, bred: [], evolving: false, seed: 1, message: '' },
-    ...{ between: null, looked: null, ends: [12, 12, 12], endsBefore: [12, 12, 12] },
-  }),
+  {
+    /** By hand; null: nobody has moved a slider. @type {Triple | null} */ gains: null,
+    /** The best by hand, of equals the last. @type {Tried | null} */ best: null,
+    /** What evolution has shown, one a generation. @type {readonly Bred[]} */ bred: [],
+    evolving: false,
+    /** The gains that drive, and how far from the best by hand they are on the way to evolution's; null: others drive. @type {{ share: number, gains: Triple } | null} */
+    between: null,
+    /** The robot that is looked at, by its start. @type {number | null} */ looked: null,
+    seed: 1,
+    /** Where the sliders end, which begin at 0. At first no hand parks all with them; they grow to where evolution has gone, and do not shrink. @type {Triple} */
+    ends: [12, 12, 12],
+    /** Where they ended before evolution came to its end. @type {Triple} */ endsBefore: [12, 12, 12],
+    message: '',
+  },
   [],
   ['gains', 'best', 'bred', 'evolving', 'seed', 'ends', 'endsBefore'],
 );
+
+/** @typedef {ReturnType<typeof slice.of>} ParkState */
 
 /** A link with other numbers begins with them afresh: what was found before is not of them. @type {typeof slice} */
 export const parkSlice = {

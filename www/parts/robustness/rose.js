@@ -1,5 +1,6 @@
 // The headings of one place as a rose: which of them arrive; and a dial that chooses one.
 import { html, render, svg } from 'lit-html';
+import { tellValue } from '../../kit/elements.js';
 import { followHeld, followKeys, followPointing, pointIn } from '../../kit/map.js';
 import { shadeAt } from '../../kit/shades.js';
 import { styled } from '../../kit/templates.js';
@@ -13,9 +14,8 @@ const radius = { inner: 24, outer: 52, reach: 60 };
 
 /** @param {HTMLElement} root @param {{ chosen: () => number | null, onChoose: (heading: number | null) => void, onPoint: (heading: number | null) => void }} events `chosen` is the newest, which may not be drawn yet. */
 export function createRose(root, { chosen, onChoose, onPoint }) {
-  root.setAttribute('aria-label', words.roseLabel(360 / headings));
-  root.setAttribute('aria-valuemin', '0');
-  root.setAttribute('aria-valuemax', String(360 - 360 / headings));
+  const step = 360 / headings;
+  root.setAttribute('aria-label', words.roseLabel(step));
   /** @param {PointerEvent} event */
   const headingAt = (event) => {
     const [x, y] = pointIn(root, event);
@@ -43,8 +43,8 @@ export function createRose(root, { chosen, onChoose, onPoint }) {
     draw({ heading, lit, parts }) {
       if (!changed(heading, lit, ...parts)) return;
       render(sight(heading, lit, parts), root);
-      root.setAttribute('aria-valuenow', String(((heading ?? 0) * 360) / headings));
-      root.setAttribute('aria-valuetext', words.headingText(heading === null ? null : angleOf(heading)));
+      const text = words.headingText(heading === null ? null : angleOf(heading));
+      tellValue(root, 0, 360 - step, (heading ?? 0) * step, text);
     },
   };
 }

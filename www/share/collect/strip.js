@@ -11,10 +11,8 @@ const { texts } = words;
 
 /** @param {{ open: (index: number) => void, back: () => void }} on `back`: to the table. */
 export function createStrip(on) {
-  const root = create('section', 'collect-strip');
-  root.id = 'collect-strip';
-  root.hidden = true;
-  root.setAttribute('aria-label', texts.strip);
+  const attributes = { id: 'collect-strip', class: 'collect-strip', hidden: '', 'aria-label': texts.strip };
+  const root = create('section', attributes);
   byId('exercise').before(root);
   const changed = watch();
   return {

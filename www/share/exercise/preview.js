@@ -12,9 +12,7 @@ const choices = [{ value: 'page', text: words.texts.makerPage, size: null }, ...
 
 /** @param {() => void} redraw */
 export function createPreview(redraw) {
-  const box = create('div', 'maker-preview');
-  box.id = 'maker-preview';
-  box.hidden = true;
+  const box = create('div', { id: 'maker-preview', class: 'maker-preview', hidden: '' });
   byId('instrument').append(box);
   let chosen = choices[0];
   /** @type {HTMLIFrameElement | null} */
@@ -34,10 +32,8 @@ export function createPreview(redraw) {
 
   /** @param {string} address */
   const begin = (address) => {
-    frame = /** @type {HTMLIFrameElement} */ (create('iframe', ''));
-    frame.id = 'maker-figure';
-    frame.title = words.texts.makerPreview;
-    frame.src = address;
+    const attributes = { id: 'maker-figure', title: words.texts.makerPreview, src: address };
+    frame = /** @type {HTMLIFrameElement} */ (create('iframe', attributes));
     box.replaceChildren(frame);
     box.hidden = false;
     document.body.toggleAttribute('data-preview', true);
