@@ -33,13 +33,14 @@ export function together(asked) {
   return /** @type {any} */ (found);
 }
 
-/** Does it if all that it asks for is there, else says when it can be tried again. @param {() => void} act @param {() => void} onArrival */
+/** Does it if all that it asks for is there; else it comes to null, and it is said when it can be tried again. @template T @param {() => T} act @param {() => void} onArrival */
 export function tryNow(act, onArrival) {
   try {
-    act();
+    return act();
   } catch (error) {
     if (!(error instanceof Pending)) throw error;
     error.arrival.then(onArrival);
+    return null;
   }
 }
 

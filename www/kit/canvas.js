@@ -1,4 +1,5 @@
 // Canvases that are drawn on in CSS pixels at the screen's own density, and what is on them, to be drawn once more elsewhere.
+import { watch } from './memo.js';
 
 /** @typedef {{ width: number, height: number }} Size */
 /** @typedef {(context: CanvasRenderingContext2D) => void} Paint */
@@ -46,6 +47,16 @@ export function createLayer(canvas) {
       const picture = pictures.get(canvas);
       if (picture) picture.paint = whole;
     },
+  };
+}
+
+/** A layer that is drawn when what it shows is another. @param {HTMLCanvasElement} canvas */
+export function createWatchedLayer(canvas) {
+  const layer = createLayer(canvas);
+  const changed = watch();
+  /** @param {Size} size The same object while nobody resizes it. @param {readonly unknown[]} shown All else that the picture depends on. @param {Paint} paint It may be called again, to the same end. */
+  return (size, shown, paint) => {
+    if (size.width > 0 && changed(size, ...shown)) layer.draw(size, paint);
   };
 }
 

@@ -235,10 +235,11 @@ export function drawCurve(context, points, stroke) {
   strokeThrough(context, onPixels, stroke);
 }
 
-/** A curve that is level all the way. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {number} value @param {Stroke} stroke */
-export function drawLevel(context, { y, frame: { left, right } }, value, stroke) {
-  const ends = [left, right].map((px) => /** @type {const} */ ([px, y(value)]));
+/** A line from one side to the other. @param {CanvasRenderingContext2D} context @param {Pick<Frame, 'left' | 'right'>} frame @param {number} py @param {Stroke} stroke */
+export function drawLevel(context, { left, right }, py, stroke) {
+  const ends = [left, right].map((px) => /** @type {const} */ ([px, py]));
   drawCurve(context, ends, stroke);
+  context.setLineDash([]);
 }
 
 /** What lies between two curves. @param {CanvasRenderingContext2D} context @param {readonly (readonly [number, number])[]} upper @param {readonly (readonly [number, number])[]} lower @param {string} token @param {number} alpha */

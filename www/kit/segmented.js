@@ -1,6 +1,7 @@
 // A choice of one among a few: native radio buttons that look like one control.
 import { html, noChange, nothing, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
+import { byId } from './elements.js';
 
 /** @template {string} V @typedef {{ value: V, text: string, hint?: string, disabled?: boolean }} Choice */
 /** What each is called, none forgotten. @template {string} V @typedef {Readonly<Record<V, string | { text: string, hint?: string }>>} Choices */
@@ -26,12 +27,13 @@ export const choicesOf = (id, legend, choices, chosen, onChoose) => html`
 
 /**
  * @template {string} V
- * @param {HTMLFieldSetElement} fieldset @param {string} legend
+ * @param {string} id Of the fieldset. @param {string} legend
  * @param {readonly Choice<V>[]} choices @param {(value: V) => void} onChoose
  */
-export function createSegmented(fieldset, legend, choices, onChoose) {
+export function createSegmented(id, legend, choices, onChoose) {
+  const fieldset = byId(id);
   /** @param {V | null} chosen */
-  const draw = (chosen) => render(choicesOf(fieldset.id, legend, choices, chosen, onChoose), fieldset);
+  const draw = (chosen) => render(choicesOf(id, legend, choices, chosen, onChoose), fieldset);
   draw(null);
   return { draw };
 }

@@ -49,7 +49,7 @@ function drawCosts(context, size, model) {
       drawCurve(context, pointsOf(axes, columns.generation, costs), stroke);
       // The paper's line lies between the two.
       if (stroke.token === '--muted' && paper !== null)
-        drawLevel(context, axes, paper, { ...stroke, dash: [2, 5] });
+        drawLevel(context, frame, axes.y(paper), { ...stroke, dash: [2, 5] });
     }
   });
   if (history.length === 1)

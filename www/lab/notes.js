@@ -30,25 +30,11 @@ export function createNotes({ onRestore }) {
     draw(model) {
       const { scene, driver, found, history, generation, pins, time, start, goal, moved, tried } = model;
       const { driving, others, comparison, chosen } = scene;
-      if (legendChanged(driving, others, comparison, chosen, driver, found, history, generation, scene.pins))
-        render(legendOf(model), byId('legend'));
+      const told = [driving, others, chosen, driver, found, history, generation, scene.pins];
+      if (legendChanged(...told, comparison)) render(legendOf(model), byId('legend'));
       if (posturesChanged(start, goal, moved, tried)) render(posturesOf(model, onRestore), byId('postures'));
       const shownAt = model.atRest ? time : null;
-      if (
-        textChanged(
-          driving,
-          others,
-          chosen,
-          driver,
-          found,
-          scene.pins,
-          history,
-          generation,
-          shownAt,
-          start,
-          goal,
-        )
-      )
+      if (textChanged(...told, shownAt, start, goal))
         write(
           planeText,
           strings.planeText(

@@ -6,7 +6,7 @@
 /** @import { PostureName } from './plane-names.js' */
 /** @import { Track } from './track.js' */
 import { scaleLinear } from 'd3-scale';
-import { createLayer, fillTextWithHalo } from '../kit/canvas.js';
+import { createWatchedLayer, fillTextWithHalo } from '../kit/canvas.js';
 import { paidAt } from '../core/paid.js';
 import { take } from '../kit/chart.js';
 import { setLettering } from '../kit/lettering.js';
@@ -14,7 +14,6 @@ import { colour } from '../kit/palette.js';
 import { styles } from '../run/pins.js';
 import { knobOf } from '../kit/transform.js';
 import { isTracking } from '../core/reference.js';
-import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
 import { isOnHandle, isSmall, namesIn, roomOf, widthOf } from './plane-names.js';
 import { drawRobots } from './robots.js';
@@ -24,30 +23,24 @@ import { emptyKite, inMetres, kite, referenceOf, sizes, trace } from './track.js
 
 /** @param {HTMLCanvasElement} pathsCanvas @param {HTMLCanvasElement} robotsCanvas */
 export function createPlane(pathsCanvas, robotsCanvas) {
-  const paths = createLayer(pathsCanvas);
-  const robots = createLayer(robotsCanvas);
-  const pathsChanged = watch();
-  const robotsChanged = watch();
+  const [paths, robots] = [pathsCanvas, robotsCanvas].map(createWatchedLayer);
 
   /** @param {PlaneModel} model */
   const draw = ({ view, scene, start, goal, pins, pays, time, theme }) => {
     const { driving, others, comparison } = scene;
-    if (pathsChanged(view, driving, others, comparison, scene.pins, start, goal, pays, theme)) {
-      paths.draw(view, (context) => {
-        const isPaid = pays && !isSmall(view);
-        const names = namesIn(view, { start, goal }, driving, isPaid);
-        drawGrid(context, view, names);
-        drawPinnedGoals(context, view, pins, goal);
-        drawPaths(context, view, scene, pins);
-        if (isPaid) drawPayments(context, view, driving, [start, goal]);
-        drawTarget(context, view, start, '--muted');
-        drawTarget(context, view, goal, '--ink');
-        drawPostureNames(context, names);
-      });
-    }
-    if (robotsChanged(view, driving, others, comparison, scene.pins, time, theme)) {
-      robots.draw(view, (context) => drawRobots(context, view, scene, pins, time));
-    }
+    const shown = [driving, others, comparison, scene.pins, theme];
+    paths(view, [...shown, start, goal, pays], (context) => {
+      const isPaid = pays && !isSmall(view);
+      const names = namesIn(view, { start, goal }, driving, isPaid);
+      drawGrid(context, view, names);
+      drawPinnedGoals(context, view, pins, goal);
+      drawPaths(context, view, scene, pins);
+      if (isPaid) drawPayments(context, view, driving, [start, goal]);
+      drawTarget(context, view, start, '--muted');
+      drawTarget(context, view, goal, '--ink');
+      drawPostureNames(context, names);
+    });
+    robots(view, [...shown, time], (context) => drawRobots(context, view, scene, pins, time));
   };
   return { draw };
 }

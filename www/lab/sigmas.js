@@ -1,6 +1,7 @@
 // The mean step size σ of each gain over the generations, on a logarithmic axis.
 /** @import { Statistics } from '../core/engine.js' */
 /** @import { Axes, Size } from '../kit/chart.js' */
+import { range } from 'd3-array';
 import { scaleLog } from 'd3-scale';
 import {
   createChart,
@@ -75,10 +76,9 @@ function decades(columns) {
 function powers([low, high]) {
   const [from, to] = [Math.round(Math.log10(low)), Math.round(Math.log10(high))];
   const step = Math.ceil((to - from) / 6);
-  return Array.from(
-    { length: Math.floor((to - from) / step) + 1 },
-    (_, i) => 10 ** (to - i * step),
-  ).reverse();
+  return range(to, from - 1, -step)
+    .map((exponent) => 10 ** exponent)
+    .reverse();
 }
 
 const powerText = (/** @type {number} */ power) => words.powerOfTen(Math.round(Math.log10(power)));

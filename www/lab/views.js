@@ -46,23 +46,13 @@ export function sayTexts() {
 /** What stands above all parts. @param {Actions} actions @param {readonly string[]} pages @param {() => void} onLesson */
 export const createHead = (actions, pages, onLesson) => ({
   pages: createPages(pages, byId('pages'), byId('tagline'), actions.openPage, onLesson),
-  preset: createSegmented(
-    byId('preset'),
-    strings.presetLegend,
-    listed(strings.presets),
-    actions.choosePreset,
-  ),
+  preset: createSegmented('preset', strings.presetLegend, listed(strings.presets), actions.choosePreset),
   pauseButton: createPauseButton(byId('pause-evolution'), actions),
 });
 
 /** @param {import('../run/store.js').Store} store @param {Actions} actions */
 export const createViews = (store, actions) => ({
-  drivers: createSegmented(
-    byId('drives'),
-    strings.driverLegend,
-    listed(strings.drivers),
-    actions.chooseDriver,
-  ),
+  drivers: createSegmented('drives', strings.driverLegend, listed(strings.drivers), actions.chooseDriver),
   plane: createPlane(byId('plane-paths'), byId('plane-robots')),
   handles: createHandles(byId('handles'), {
     postureOf: actions.postureOf,
@@ -75,7 +65,7 @@ export const createViews = (store, actions) => ({
   curve: createCurve(byId('curve')),
   sigmas: createSigmas(byId('sigmas')),
   curveChoice: createSegmented(
-    byId('curve-choice'),
+    'curve-choice',
     sigmaWords.curveLegend,
     listed(sigmaWords.curveChoices),
     (curve) => labSlice.update(store, { curve }),

@@ -20,16 +20,5 @@ export function aside(ask) {
   };
 }
 
-/** What is asked for, or null as long as it is on its way; `again` once asking again is worth it. @template T @param {() => T} ask @param {() => void} again */
-export function soon(ask, again) {
-  try {
-    return ask();
-  } catch (error) {
-    if (!(error instanceof Pending)) throw error;
-    error.arrival.then(again);
-    return null;
-  }
-}
-
 /** Whether both say the same. @param {unknown} one @param {unknown} other */
 export const isSame = (one, other) => JSON.stringify(one) === JSON.stringify(other);

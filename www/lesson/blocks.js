@@ -1,13 +1,13 @@
 // What a step holds, made of its words: texts, formulas, things to try, questions, views.
 import { html, nothing, render } from 'lit-html';
 import { keyed } from 'lit-html/directives/keyed.js';
+import { tryNow } from '../core/pending.js';
 import { create, write } from '../kit/elements.js';
 import { watch } from '../kit/memo.js';
 import { disturbanceSlice } from '../parts/disturbance/state.js';
 import { generationSlice } from '../parts/generation/state.js';
 import { landscapeSlice } from '../parts/landscape/state.js';
 import { lesson as first } from '../words/index.js';
-import { soon } from './aside.js';
 import { isAskedIn } from './questions/asked-in.js';
 import { createFormula } from './formulas/formula.js';
 import { hrefOf, linkOfStep, pathLength, stepNames } from './path.js';
@@ -78,7 +78,7 @@ function createValues(article, step, { store }) {
       ];
       const now = [scene.driving, sample, state.history, state.generation, progressSlice.of(state), ...parts];
       if (!changed(...now) && !isDue) return;
-      const known = soon(() => step.values?.(live) ?? {}, store.redraw);
+      const known = tryNow(() => step.values?.(live) ?? {}, store.redraw);
       isDue = !known;
       for (const element of /** @type {NodeListOf<HTMLElement>} */ (article.querySelectorAll('[data-value]')))
         write(element, known ? (known[element.dataset.value ?? ''] ?? '–') : '…');

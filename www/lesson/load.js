@@ -4,6 +4,7 @@
 /** @import { State } from '../run/state.js' */
 /** @import { Tools } from './page.js' */
 import { byId } from '../kit/elements.js';
+import { once } from '../kit/memo.js';
 import { createWaiting } from '../lab/waiting.js';
 import { load as loadDisturbance } from '../parts/disturbance/words/load.js';
 import { load as loadGeneration } from '../parts/generation/words/load.js';
@@ -12,13 +13,7 @@ import { createKeepsake } from './keepsake.js';
 import { progressSlice } from './state.js';
 import { load as loadWords } from './words/load.js';
 
-/** @type {Promise<typeof import('./page.js')> | null} */
-let asked = null;
-/** Asked for once. */
-function load() {
-  asked ??= afterWords([loadWords, loadGeneration, loadDisturbance], () => import('./page.js'));
-  return asked;
-}
+const load = once(() => afterWords([loadWords, loadGeneration, loadDisturbance], () => import('./page.js')));
 
 /** Begins to load it if an address opens it; whether it can be loaded is seen when it is opened. @param {string} hash */
 export function askForLesson(hash) {

@@ -59,7 +59,7 @@ export function createSights(fieldset) {
         offered = choices.map(({ value }) => value);
         for (const first of [step.sight, wanted]) if (first && offered.includes(first)) chosen = first;
         wanted = null;
-        const picker = createSegmented(fieldset, words.sights, choices, (sight) => {
+        const picker = createSegmented(fieldset.id, words.sights, choices, (sight) => {
           chosen = sight;
           show();
         });

@@ -2,6 +2,7 @@
 /** @import { Page, Part, Tools } from './part.js' */
 import { byId } from '../kit/elements.js';
 import { pause } from '../kit/loop.js';
+import { rememberEach } from '../kit/memo.js';
 import { createWaiting } from '../lab/waiting.js';
 import { afterWords } from '../words/pick.js';
 
@@ -11,15 +12,7 @@ export async function makerFrom(words, module) {
   return createPage;
 }
 
-/** @type {WeakMap<Part, ReturnType<Part['load']>>} */
-const asked = new WeakMap();
-
-/** Asked for once. @param {Part} part */
-function makerOf(part) {
-  const maker = asked.get(part) ?? part.load();
-  asked.set(part, maker);
-  return maker;
-}
+const makerOf = rememberEach((/** @type {Part} */ part) => part.load());
 
 /** Begins to load the part that an address opens; whether it can be loaded is seen when it is opened. @param {readonly Part[]} parts @param {string} hash */
 export function askFor(parts, hash) {

@@ -1,7 +1,7 @@
 // What a step computes aside.
 import assert from 'node:assert/strict';
-import { Pending } from '../../../www/core/pending.js';
-import { aside, soon } from '../../../www/lesson/aside.js';
+import { Pending, tryNow } from '../../../www/core/pending.js';
+import { aside } from '../../../www/lesson/aside.js';
 import { test } from '../harness/once.js';
 
 test('what is computed aside is asked for once, and asked again when it is there', async () => {
@@ -13,13 +13,13 @@ test('what is computed aside is asked for once, and asked again when it is there
   assert.equal(
     await new Promise((again) =>
       assert.equal(
-        soon(value, () => again('again')),
+        tryNow(value, () => again('again')),
         null,
       ),
     ),
     'again',
   );
-  assert.deepEqual([value(), soon(value, assert.fail), asked], [7, 7, 1]);
+  assert.deepEqual([value(), tryNow(value, assert.fail), asked], [7, 7, 1]);
 });
 
 test('what fails never arrives, and is no error that nobody catches', async () => {
@@ -28,7 +28,7 @@ test('what fails never arrives, and is no error that nobody catches', async () =
     asked += 1;
     return Promise.reject(new Error('no worker'));
   });
-  for (let i = 0; i < 3; i += 1) assert.equal(soon(value, assert.fail), null);
+  for (let i = 0; i < 3; i += 1) assert.equal(tryNow(value, assert.fail), null);
   await new Promise((resolve) => setImmediate(resolve));
   assert.throws(value, Pending);
   assert.equal(asked, 1);

@@ -1,5 +1,5 @@
 // What a question of the lesson is answered from, under Node: the page's own answers on the core itself.
-import { soon } from '../../../www/lesson/aside.js';
+import { tryNow } from '../../../www/core/pending.js';
 import { liveOf } from '../../../www/lesson/headless.js';
 import { steps } from '../../../www/lesson/steps.js';
 import * as en from '../../../www/lesson/words/en.js';
@@ -48,7 +48,7 @@ export async function toldBy(step, live) {
     const arrival = new Promise((resolve) => {
       again = () => resolve(null);
     });
-    const known = soon(() => step.values?.(live) ?? {}, again);
+    const known = tryNow(() => step.values?.(live) ?? {}, again);
     if (known) return known;
     await arrival;
   }

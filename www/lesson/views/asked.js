@@ -111,41 +111,27 @@ function drawHalf(context, { width, height }, top, half, { run, time }, isLast =
   const { asked, done, limit, token, name } = half;
   const most = 1.4 * Math.max(2, largest(asked), largest(done));
   const frame = { left, right: width - right, top: top + 22, bottom: top + height - 4 };
+  // Where nothing goes backwards the picture is of what goes forwards.
+  const least = isBelow(asked) || isBelow(done) ? -most : 0;
   /** @type {Axes} */
   const axes = {
     frame,
     x: scaleLinear([0, run.finalTime || 1], [frame.left, frame.right]),
-    // Where nothing goes backwards the picture is of what goes forwards.
-    y: scaleSymlog([isBelow(asked) || isBelow(done) ? -most : 0, most], [frame.bottom, frame.top]).constant(
-      1,
-    ),
+    y: scaleSymlog([least, most], [frame.bottom, frame.top]).constant(1),
   };
   const numbers = numbersOn(axes.y, most, limit !== null && limit < most ? limit : null);
   const ticks = { x: ticksOn(axes.x, 70), y: numbers.map(({ at }) => at) };
-  drawGrid(
-    context,
-    axes,
-    ticks,
-    numbers.map(({ text }) => text),
-  );
-  if (isLast)
-    drawNumbersBelow(
-      context,
-      axes.x,
-      frame.bottom,
-      ticks.x,
-      ticks.x.map((tick) => `${fixed(tick, 1)} s`),
-    );
+  const texts = numbers.map(({ text }) => text);
+  drawGrid(context, axes, ticks, texts);
+  const times = ticks.x.map((tick) => `${fixed(tick, 1)} s`);
+  if (isLast) drawNumbersBelow(context, axes.x, frame.bottom, ticks.x, times);
   within(context, frame, () => {
-    const line = (/** @type {ArrayLike<number>} */ all) =>
-      pointsOf(
-        axes,
-        run.time,
-        run.time.map((_, i) => all[Math.min(i, all.length - 1)]),
-        true,
-      );
+    const line = (/** @type {ArrayLike<number>} */ all) => {
+      const values = run.time.map((_, i) => all[Math.min(i, all.length - 1)]);
+      return pointsOf(axes, run.time, values, true);
+    };
     for (const at of limit === null ? [] : [limit, -limit])
-      drawLevel(context, axes, at, { token: '--muted', width: 1, dash: [3, 3] });
+      drawLevel(context, frame, axes.y(at), { token: '--muted', width: 1, dash: [3, 3] });
     drawCurve(context, line(asked), { token, width: 1.25 });
     drawCurve(context, line(done), { token, width: 3 });
   });

@@ -1,9 +1,8 @@
 // Drives as small pictures side by side, each from the same start to the same goal, at the same time.
 import { drawBay, drawCar } from '../../lab/car.js';
 import { inMetres, postureAt, trace } from '../../lab/track.js';
-import { circle, createLayer } from '../../kit/canvas.js';
+import { circle, createWatchedLayer } from '../../kit/canvas.js';
 import { create, followSize } from '../../kit/elements.js';
-import { watch } from '../../kit/memo.js';
 import { colour } from '../../kit/palette.js';
 import { planeAround } from './plane-around.js';
 
@@ -13,12 +12,10 @@ import { planeAround } from './plane-around.js';
 
 /** @param {Store} store */
 export function createSmallDrive(store) {
-  const canvas = /** @type {HTMLCanvasElement} */ (create('canvas', ''));
-  canvas.setAttribute('aria-hidden', 'true');
+  const canvas = /** @type {HTMLCanvasElement} */ (create('canvas', { 'aria-hidden': 'true' }));
   const element = create('div', 'small-drive layers', canvas);
-  const layer = createLayer(canvas);
+  const drawWatched = createWatchedLayer(canvas);
   const sizeOf = followSize(element, () => store.redraw());
-  const changed = watch();
   return {
     element,
     /**
@@ -27,22 +24,9 @@ export function createSmallDrive(store) {
      */
     draw(experiment, run, time, theme, { car, token = '--ink', others, beat = 0 }) {
       const size = sizeOf();
-      if (
-        size.width === 0 ||
-        !changed(
-          experiment,
-          run,
-          others,
-          Math.min(time, run.finalTime),
-          theme,
-          token,
-          size.width,
-          size.height,
-        )
-      )
-        return;
       const half = Math.min(car, Math.min(size.width, size.height) / 12);
-      layer.draw(size, (context) =>
+      const shown = [experiment, run, others, Math.min(time, run.finalTime), theme, token];
+      drawWatched(size, shown, (context) =>
         drawRun(context, size, { experiment, run, others, beat, time, car: half, token }),
       );
     },

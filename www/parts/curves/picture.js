@@ -2,9 +2,9 @@
 /** @import { Size } from '../../kit/canvas.js' */
 /** @import { Scale } from '../../kit/chart.js' */
 /** @import { Tools } from '../part.js' */
+import { createWatchedLayer } from '../../kit/canvas.js';
 import { followPointer } from '../../kit/map.js';
 import { followSize } from '../../kit/elements.js';
-import { createWatchedLayer } from '../drawing.js';
 import { watch } from '../../kit/memo.js';
 import { isFree } from '../../run/guard.js';
 import { sampleTime } from './axes.js';

@@ -4,13 +4,12 @@
 /** @import { PartName } from './summary.js' */
 import { bisectRight } from 'd3-array';
 import { scaleLinear, scaleSymlog } from 'd3-scale';
-import { fillTextWithHalo } from '../../kit/canvas.js';
+import { createWatchedLayer, fillTextWithHalo } from '../../kit/canvas.js';
 import { drawCursorDot, drawCursorLine, pointsOf, strokeThrough, through } from '../../kit/chart.js';
 import { followSize } from '../../kit/elements.js';
 import { largest } from '../../kit/extent.js';
 import { textFont } from '../../kit/lettering.js';
 import { colour } from '../../kit/palette.js';
-import { createWatchedLayer } from '../drawing.js';
 import { typed } from '../../words/numbers.js';
 import words from './words/index.js';
 import { arePositive, parts } from './summary.js';

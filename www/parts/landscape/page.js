@@ -98,12 +98,7 @@ function createSketches(engine, redraw) {
   );
   return (/** @type {State} */ { history, generation, experiment }, /** @type {Spec} */ { x, y }) => {
     if (!hasSketch(experiment.evolution.method)) return null;
-    /** @type {ReturnType<typeof sketch> | null} */
-    let found = null;
-    tryNow(() => {
-      found = sketch(history[generation], experiment, x, y);
-    }, redraw);
-    return found;
+    return tryNow(() => sketch(history[generation], experiment, x, y), redraw);
   };
 }
 

@@ -6,14 +6,13 @@
 /** @import { CostScale } from './scale.js' */
 import { gainNames } from './state.js';
 import { contours } from 'd3-contour';
-import { circle, strokeTwice } from '../../kit/canvas.js';
+import { circle, createWatchedLayer, strokeTwice } from '../../kit/canvas.js';
 import { drawNumbersBelow, drawNumbersBeside, through, within } from '../../kit/chart.js';
 import { followSize } from '../../kit/elements.js';
 import { textFont } from '../../kit/lettering.js';
 import { dark, drawFrame, drawShades, light } from '../../kit/map.js';
 import { colour } from '../../kit/palette.js';
 import { shadeAt } from '../../kit/shades.js';
-import { createWatchedLayer } from '../drawing.js';
 import { remember } from '../../kit/memo.js';
 import { drawSymbol } from '../../kit/names.js';
 import { fixed } from '../../words/numbers.js';

@@ -6,12 +6,12 @@
 /** @import { Contest } from './contest-request.js' */
 /** @import { Standings } from './contest-summary.js' */
 import { scaleLinear, scaleLog } from 'd3-scale';
-import { drawBand, drawCurve, drawGrid, pointsOf, within } from '../../kit/chart.js';
+import { drawBand, drawCurve, drawGrid, drawLevel, pointsOf, within } from '../../kit/chart.js';
 import { remember } from '../../kit/memo.js';
 import { drawName } from '../../kit/names.js';
 import { styles } from '../../run/pins.js';
 import { coursesOf, distanceFrom, rangeIn } from './contest-courses.js';
-import { drawLevel, drawNamesAt, powerNames, powersIn } from './contest-marks.js';
+import { drawNamesAt, powerNames, powersIn } from './contest-marks.js';
 import words from './words/index.js';
 
 /** @typedef {{ contest: Contest, standings: Standings, lowest: number }} There */

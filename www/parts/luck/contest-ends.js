@@ -3,11 +3,11 @@
 /** @import { There } from './contest-costs.js' */
 /** @import { Grip } from './contest-handles.js' */
 import { scaleLog } from 'd3-scale';
-import { drawNumbersBelow, drawUpright } from '../../kit/chart.js';
+import { drawLevel, drawNumbersBelow, drawUpright } from '../../kit/chart.js';
 import { drawName } from '../../kit/names.js';
 import { styles } from '../../run/pins.js';
 import { distanceFrom, rangeIn } from './contest-courses.js';
-import { drawLevel, drawNamesAt, powerNames, powersIn } from './contest-marks.js';
+import { drawNamesAt, powerNames, powersIn } from './contest-marks.js';
 import { costAt } from './contest-statistics.js';
 import { diameterOf, drawDots, stackDots } from './dots.js';
 import words from './words/index.js';

@@ -1,8 +1,7 @@
 // What the pictures of a contest have in common: round distances, and the names at the ends of the lines.
-/** @import { Frame, Stroke } from '../../kit/chart.js' */
+/** @import { Frame } from '../../kit/chart.js' */
 /** @import { Size } from '../../kit/canvas.js' */
 /** @import { Standings } from './contest-summary.js' */
-import { drawCurve } from '../../kit/chart.js';
 import { colour } from '../../kit/palette.js';
 import { textFont } from '../../kit/lettering.js';
 import { drawName, gutterOf, isNarrow, spreadBeside } from '../../kit/names.js';
@@ -28,16 +27,6 @@ export const powerNames = (powers) => powers.map((power) => words.powerOfTen(Mat
 
 /** In pixels, from the end of a line to its name. */
 const aside = 8;
-
-/** A line from one side to the other. @param {CanvasRenderingContext2D} context @param {Frame} frame @param {number} py @param {Stroke} stroke */
-export function drawLevel(context, { left, right }, py, stroke) {
-  const ends = /** @type {const} */ ([
-    [left, py],
-    [right, py],
-  ]);
-  drawCurve(context, ends, stroke);
-  context.setLineDash([]);
-}
 
 /** With room for names at its right. @typedef {Frame & { hasNames: boolean }} NamedFrame */
 

@@ -9,6 +9,7 @@ import {
   drawCurve,
   drawDot,
   drawGrid,
+  drawLevel,
   drawNumbersBelow,
   frameIn,
   pointsOf,
@@ -20,7 +21,6 @@ import {
 import { extentOf } from '../../kit/extent.js';
 import { drawName } from '../../kit/names.js';
 import words from './words/index.js';
-import { drawLevel } from './contest-marks.js';
 import { drawLineNames } from './curve-names.js';
 import { diameterOf, drawDots, drawRing, nearestDot, stackDots } from './dots.js';
 

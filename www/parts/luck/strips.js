@@ -2,10 +2,11 @@
 /** @import { Triple } from '../../core/engine.js' */
 /** @import { Dots } from './dots.js' */
 /** @import { SeedSurvey } from './request.js' */
+import { createWatchedLayer } from '../../kit/canvas.js';
 import { scaleLinear } from 'd3-scale';
 import { followSize } from '../../kit/elements.js';
 import { colour } from '../../kit/palette.js';
-import { createWatchedLayer, drawText } from '../drawing.js';
+import { drawText } from '../drawing.js';
 import { drawSymbol } from '../../kit/names.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';

@@ -2,7 +2,7 @@
 /** @import { Posture } from '../../core/engine.js' */
 /** @import { Film } from './film.js' */
 /** @import { Drive } from './task.js' */
-import { circle, createLayer } from '../../kit/canvas.js';
+import { circle, createLayer, createWatchedLayer } from '../../kit/canvas.js';
 import { watch } from '../../kit/memo.js';
 import { colour } from '../../kit/palette.js';
 import { viewAround } from '../../kit/transform.js';
@@ -20,10 +20,9 @@ const tread = 0.035;
 
 /** @param {readonly HTMLCanvasElement[]} canvases One on the other: the floor, the trails, the robots. @param {{ goal: Posture, radius: number }} place */
 export function createParkPicture(canvases, place) {
-  const [floor, trails, robots] = canvases.map(createLayer);
-  const floorChanged = watch();
+  const [floor, robots] = [canvases[0], canvases[2]].map(createWatchedLayer);
+  const trails = createLayer(canvases[1]);
   const trailsChanged = watch();
-  const robotsChanged = watch();
   /** The second of the drive up to which the trails stand. */
   let drawn = 0;
 
@@ -31,12 +30,11 @@ export function createParkPicture(canvases, place) {
   return ({ film, theme, size, looked }) => {
     if (size.width === 0) return;
     const plan = planOf(size, place);
-    if (floorChanged(film.drives, film.others, theme, size.width, size.height))
-      floor.draw(size, (context) => {
-        drawPaths(context, plan, film.others, 0.1);
-        drawPaths(context, plan, film.drives, 0.16);
-        drawBay(context, plan, place.goal);
-      });
+    floor(size, [film.drives, film.others, theme], (context) => {
+      drawPaths(context, plan, film.others, 0.1);
+      drawPaths(context, plan, film.drives, 0.16);
+      drawBay(context, plan, place.goal);
+    });
     /** @param {number} from */
     const trail = (from) => (/** @type {CanvasRenderingContext2D} */ context) =>
       drawTrails(context, plan, film, from);
@@ -45,8 +43,7 @@ export function createParkPicture(canvases, place) {
     if (isNew || film.time < drawn) trails.draw(size, trail(0));
     else if (film.time > drawn) trails.add(trail(drawn), trail(0));
     drawn = film.time;
-    if (robotsChanged(film, looked, theme, size.width, size.height))
-      robots.draw(size, (context) => drawFilm(context, plan, film, looked));
+    robots(size, [film, looked, theme], (context) => drawFilm(context, plan, film, looked));
   };
 }
 

@@ -3,12 +3,11 @@
 /** @import { Grid } from './grid.js' */
 /** @import { Shading } from './scale.js' */
 import { scaleLinear } from 'd3-scale';
-import { circle, strokeTwice } from '../../kit/canvas.js';
+import { circle, createWatchedLayer, strokeTwice } from '../../kit/canvas.js';
 import { drawNumbersBelow, drawNumbersBeside, within } from '../../kit/chart.js';
 import { dark, drawFrame, drawShades, light, nameBeside } from '../../kit/map.js';
 import { kite } from '../../lab/track.js';
 import { colour } from '../../kit/palette.js';
-import { createWatchedLayer } from '../drawing.js';
 import { fixed } from '../../words/numbers.js';
 import words from './words/index.js';
 import { startOf } from './grid.js';

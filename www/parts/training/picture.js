@@ -1,12 +1,11 @@
 // A picture of starts around the goal: filled where the robot arrives; small, pale red and without a tail where it does not.
 /** @import { Posture } from '../../core/engine.js' */
-import { circle, strokeTwice } from '../../kit/canvas.js';
+import { circle, createWatchedLayer, strokeTwice } from '../../kit/canvas.js';
 import { followSize } from '../../kit/elements.js';
 import { arrowOf, isChord } from '../../kit/keyboard.js';
 import { colour } from '../../kit/palette.js';
 import { viewAround } from '../../kit/transform.js';
 import { kite } from '../../lab/track.js';
-import { createWatchedLayer } from '../drawing.js';
 
 /**
  * @typedef {object} PictureModel

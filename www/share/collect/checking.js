@@ -11,7 +11,7 @@ import { remarksOf } from './table.js';
 import words from './words/index.js';
 
 /** What is not known before a check is over. @type {Pick<View, 'share' | 'status' | 'isBad' | 'note' | 'rows' | 'given' | 'first'>} */
-const unchecked = { share: null, status: '', isBad: false, note: '', rows: [], given: null, first: 0 };
+export const unchecked = { share: null, status: '', isBad: false, note: '', rows: [], given: null, first: 0 };
 
 /** @param {SheetTools} tools @param {() => View} viewNow @param {(patch: Partial<View>) => void} update */
 export function createChecking({ engine, links }, viewNow, update) {

@@ -11,7 +11,7 @@ import { unless } from '../../kit/templates.js';
 import { isEmpty } from '../../run/exercise.js';
 import { messageOf } from '../../words/errors.js';
 import { createCharts, labelsOf, legendOf } from './chart.js';
-import { createChecking } from './checking.js';
+import { createChecking, unchecked } from './checking.js';
 import { filesIn, joined } from './files.js';
 import { createRowEvents, isPinned } from './rows.js';
 import { createStrip } from './strip.js';
@@ -22,18 +22,7 @@ const { texts } = words;
 
 /** What the sheet shows. `note`: what came of a press in the table; `opened`: the hand-in that is on the page, and since when it is. @typedef {{ status: string, isBad: boolean, note: string, share: number | null, rows: Row[], given: Given | null, files: File[], order: import('./table.js').Order, first: number, opened: { index: number, since: number } | null }} View */
 /** @type {View} */
-const noView = {
-  status: '',
-  isBad: false,
-  note: '',
-  share: null,
-  rows: [],
-  given: null,
-  files: [],
-  order: { column: 'number', isDown: false },
-  first: 0,
-  opened: null,
-};
+const noView = { ...unchecked, files: [], order: { column: 'number', isDown: false }, opened: null };
 
 /** @param {SheetTools} tools @param {Sheet} sheet */
 export function createCollect(tools, sheet) {
