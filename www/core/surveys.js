@@ -79,11 +79,7 @@ function createWhole(run) {
 
     /** One whole evolution. @param {Experiment} experiment @param {number} generations @param {SurveyOptions & { shown?: number }} [options] */
     evolve: (experiment, generations, { shown, ...options } = {}) =>
-      one(
-        'evolve',
-        shown === undefined ? [experiment, generations] : [experiment, generations, shown],
-        options,
-      ),
+      one('evolve', [experiment, generations, shown], options),
 
     /** Many at once. @param {readonly Experiment[]} experiments @param {number} generations @param {SurveyOptions} [options] */
     evolveAll: (experiments, generations, options) =>

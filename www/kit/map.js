@@ -2,11 +2,11 @@
 /** @import { Frame } from './chart.js' */
 import { fillTextWithHalo } from './canvas.js';
 import { isSideways, mayScroll } from './finger.js';
+import { take } from './chart.js';
 import { strongFont } from './lettering.js';
 import { arrowOf, isChord } from './keyboard.js';
 import { palette, shades } from './shades.js';
 import { once } from './memo.js';
-import { colour } from './palette.js';
 
 /** What is drawn on shades: the same in both themes, as they are. */
 export const [dark, light] = ['#14161a', '#ffffff'];
@@ -36,8 +36,7 @@ export function drawShades(context, parts, { left, right, top, bottom }, smooth)
 
 /** A hairline around it. @param {CanvasRenderingContext2D} context @param {Frame} frame */
 export function drawFrame(context, { left, right, top, bottom }) {
-  context.strokeStyle = colour('--hairline');
-  context.lineWidth = 1;
+  take(context, { token: '--hairline', width: 1 });
   context.strokeRect(left - 0.5, top - 0.5, right - left + 1, bottom - top + 1);
 }
 

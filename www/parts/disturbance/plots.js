@@ -5,10 +5,10 @@
 import { bisectRight } from 'd3-array';
 import { scaleLinear, scaleSymlog } from 'd3-scale';
 import { createWatchedLayer, fillTextWithHalo } from '../../kit/canvas.js';
-import { drawCursorDot, drawCursorLine, pointsOf, strokeThrough, through } from '../../kit/chart.js';
+import { drawCursorDot, drawCursorLine, pointsOf, strokeThrough, take, through } from '../../kit/chart.js';
 import { followSize } from '../../kit/elements.js';
 import { largest } from '../../kit/extent.js';
-import { textFont } from '../../kit/lettering.js';
+import { setLettering } from '../../kit/lettering.js';
 import { colour } from '../../kit/palette.js';
 import { typed } from '../../words/numbers.js';
 import words from './words/index.js';
@@ -129,12 +129,8 @@ function numbersOf({ y, frame }, bound) {
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {number} bound Of the set. @param {boolean} isLast With the numbers of time. */
 function drawAxes(context, axes, bound, isLast) {
   const { frame } = axes;
-  context.font = textFont;
-  context.fillStyle = colour('--muted');
-  context.strokeStyle = colour('--hairline');
-  context.lineWidth = 1;
-  context.textAlign = 'right';
-  context.textBaseline = 'middle';
+  setLettering(context, { align: 'right' });
+  take(context, { token: '--hairline', width: 1 });
   context.beginPath();
   for (const value of decades.filter((one) => one <= axes.y.domain()[1])) {
     const py = Math.round(axes.y(value)) + 0.5;

@@ -2,7 +2,7 @@
 /** @import { Triple } from '../../core/engine.js' */
 /** @import { Frame } from '../../kit/chart.js' */
 import { fillTextWithHalo, pathOf, strokeTwice } from '../../kit/canvas.js';
-import { strongFont } from '../../kit/lettering.js';
+import { setLettering, strongFont } from '../../kit/lettering.js';
 import { dark, light } from '../../kit/map.js';
 import { drawMark } from '../../kit/swatch.js';
 import { styles } from '../../run/pins.js';
@@ -54,9 +54,7 @@ export function drawPoints(context, frame, points, best) {
     drawPoint(context, place, mark);
   }
   context.globalAlpha = 1;
-  context.font = strongFont;
-  context.textAlign = 'left';
-  context.textBaseline = 'middle';
+  setLettering(context, { font: strongFont });
   const look = { fill: light, halo: dark, width: 4 };
   for (const { name, place } of namesOf(frame, points, best, (text) => context.measureText(text).width))
     if (place) fillTextWithHalo(context, name, place.left, middleOf(place), look);

@@ -9,9 +9,8 @@ import { contours } from 'd3-contour';
 import { circle, createWatchedLayer, strokeTwice } from '../../kit/canvas.js';
 import { drawNumbersBelow, drawNumbersBeside, through, within } from '../../kit/chart.js';
 import { followSize } from '../../kit/elements.js';
-import { textFont } from '../../kit/lettering.js';
+import { setLettering } from '../../kit/lettering.js';
 import { dark, drawFrame, drawShades, light } from '../../kit/map.js';
-import { colour } from '../../kit/palette.js';
 import { shadeAt } from '../../kit/shades.js';
 import { remember } from '../../kit/memo.js';
 import { drawSymbol } from '../../kit/names.js';
@@ -132,10 +131,7 @@ function drawLegend(context, scale, width) {
   for (let i = 0; i <= 16; i += 1) colours.addColorStop(i / 16, shadeAt(i / 16));
   context.fillStyle = colours;
   context.fillRect(left, 0, right - left, 12);
-  context.font = textFont;
-  context.fillStyle = colour('--muted');
-  context.textBaseline = 'top';
-  context.textAlign = 'center';
+  setLettering(context, { align: 'center', baseline: 'top' });
   const digits = scale.levels.some((level) => level % 1 !== 0) ? 1 : 0;
   let free = left;
   for (const level of scale.levels) {

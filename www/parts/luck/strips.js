@@ -5,6 +5,7 @@
 import { createWatchedLayer } from '../../kit/canvas.js';
 import { scaleLinear } from 'd3-scale';
 import { followSize } from '../../kit/elements.js';
+import { take } from '../../kit/chart.js';
 import { colour } from '../../kit/palette.js';
 import { drawText } from '../drawing.js';
 import { drawSymbol } from '../../kit/names.js';
@@ -124,7 +125,6 @@ function drawDiamond(context, x, y) {
   context.closePath();
   context.fillStyle = colour('--paper');
   context.fill();
-  context.strokeStyle = colour('--muted');
-  context.lineWidth = 2;
+  take(context, { token: '--muted', width: 2 });
   context.stroke();
 }

@@ -1,6 +1,8 @@
 // What is taken away of a drive: its controller, what it was driven in, and what the page says of it. Plain values, no language.
 /** @import { Experiment, Posture, Run, Triple } from '../../core/engine.js' */
 import { hasMovingReference } from '../../core/reference.js';
+import { fromFirst } from '../../core/starts.js';
+import { undisturbed } from '../../run/scene.js';
 import { fingerprintOf } from './fingerprint.js';
 
 /** @typedef {(experiment: Experiment, gains: readonly Triple[]) => Run[]} Drive */
@@ -30,13 +32,6 @@ function samplesOf({ horizon, sampleTime }) {
   const n = Math.floor(horizon / sampleTime);
   return n * sampleTime < horizon ? n + 1 : n;
 }
-
-/** @param {Experiment} experiment @returns {Experiment} */
-const alone = (experiment) => ({
-  ...experiment,
-  starts: [experiment.starts[0]],
-  disturbance: { ...experiment.disturbance, kind: 'none' },
-});
 
 /** Whether a drive from a hair's breadth beside ends the same. @param {Drive} drive @param {Experiment} experiment @param {Triple} gains @param {Run} run */
 function isSteady(drive, experiment, gains, run) {
@@ -69,7 +64,7 @@ const endOf = (run) => {
  * @returns {Controller}
  */
 export function controllerOf(drive, from, gains, { version, link }) {
-  const experiment = alone(from);
+  const experiment = undisturbed(fromFirst(from));
   const [run] = drive(experiment, [gains]);
   const { speed, turnRate, acceleration, turnAcceleration } = experiment.limits;
   return {
