@@ -7,7 +7,8 @@ use crate::schema::{
 
 /// The three gains k = (kx, ky, kθ) that evolution looks for, in the units of the paper's law (5), for which Theorem 1 holds
 /// if they are positive. In Kanayama's rule kx in 1/s is on the distance ahead, ky in rad/m² on that aside, both seen from the
-/// robot, and kθ in rad/m on sin θ_e.
+/// robot, and kθ in rad/m on sin θ_e. In ω of (5) the terms of kx and ky are divided by the weight of the heading in V, 1 m²: the
+/// same numbers for other units of length would be another law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gains<S = f64> {
     /// kx in 1/s, on x_e.

@@ -35,9 +35,10 @@ export const stability = {
       order: [2, 0, 1],
       answer({ samples, scene }) {
         const values = samples.map(({ lyapunov }) => lyapunov);
-        const [first, last, most] = [values[0], values[values.length - 1], largest(values)];
+        const [first, last, least] = [values[0], values[values.length - 1], Math.min(...values)];
         const { arrived } = scene.driving;
-        return { right: arrived ? 0 : last > first ? 2 : 1, first, last, most };
+        // How far it has risen by then rounding decides, not that it rises.
+        return { right: arrived ? 0 : last > 2 * least ? 2 : 1, first, last, least };
       },
     }),
     { kind: 'text', name: 'before' },

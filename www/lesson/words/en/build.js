@@ -23,9 +23,9 @@ export const build = {
 
 *5.* Evolution needs nothing but {J}: mutate, drive, compete, survive; the steps adapt themselves because good steps have good offspring.
 
-*6.* Selection finds what no hand would try, but it stops where its steps collapse, and luck is part of it: one seed proves nothing.
+*6.* Selection finds what few hands would try, but it stops where its steps collapse, and luck is part of it: one seed proves nothing.
 
-*7.* An optimiser gives what the cost asks for, not what you meant, so test where you did not ask.`,
+*7.* An optimiser goes by the cost, not by what you meant, so test where you did not ask.`,
   },
   predictions: {
     title: 'Your predictions',

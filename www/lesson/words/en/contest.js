@@ -25,13 +25,13 @@ export const contest = {
     begin: `The method has many parts: a tournament, step sizes that adapt themselves, a population. *Which of them does the work?* Take one away, and see. But you have seen in the duel of step 9 what one run is worth: next to nothing. So every contestant here runs *51 times*, with the same seeds, and may make *4\u202f000 drives* each time. Nobody counts generations, for a generation of one may cost ten times as many drives as that of another. The first contestant is the paper’s EP, *as in the lab*.
 
 Two things can be asked of a run: how low is {J} when the drives are used up, or *how many drives until {J} is below a target*? Here it is the second: 7.72, a quarter of a percent above the best that is known.`,
-    read: `That is how such a result looks, and it is a result. The shaded bands, each the middle half of the runs, overlap. The table counts: how many runs *reached* the target; *ERT*, how many drives it takes on average if a run that failed is begun again with another seed; *A12*, how often a run of this one beats a run of the first; *p*, how often chance alone would make a difference as large, if both were equally good: below 0.05 one says that it is not chance. Step 7 showed a better robot falling in the tournament. As far as can be measured here, that does no harm, and no good.`,
+    read: `That is how such a result looks, and it is a result. The shaded bands, each the middle half of the runs, overlap. The table counts: how many runs *reached* the target; *ERT*, how many drives it takes on average if a run that failed is begun again with another seed; *A12*, how often a run of this one beats a run of the first; *p*, how often chance alone would make a difference at least as large, if both were equally good: below 0.05 one says that it is not chance. Step 7 showed a better robot falling in the tournament. As far as can be measured here, that does no harm, and no good.`,
     drag: `*Now drag the target*: the dot at the left end of the dashed line, slowly from 8.09 down to 7.72. At the top the curves lie together; further down they part, and one of them hardly falls any more. A step of 1 is good for finding the valley and useless for finding its lowest point. So the step sizes of step 8 *do* work, but only beyond a certain accuracy. Had we asked for 8.09 alone, we would have called them a waste.`,
     slide: `Press *other seeds* under the picture, again and again: the sentence flips between a clear difference and none, though nothing but the seeds has changed. Then move the slider *Had you run only* to 3, to 10, to 20. So few runs mostly leave the question open, and it is we who read an answer into them. Now and then they even show a difference that is not there.`,
     budget: `Drag the *vertical* line, the number of drives at which the curves are read, from 4\u202f000 to the end. Twenty robots come down early and then stand still: a run that has not reached the target by then mostly never does. A hundred are slower and lose fewer runs on the way. *Without a target, a budget and the number of runs there is no winner*, only an anecdote.`,
-    ellipse: `Why does CMA-ES, the famous one, lose? [Open it on the landscape](landscape&x=kx&y=ky&evolution.method=cma-es&population=7&generation=55): the ellipse is the distribution from which it draws. It has shrunk almost to a point, and this point is not the lowest. Seven trials a generation, of which it follows the best three, are what its authors advise for three gains on smooth ground. Here the ground has ripples and ends at a wall: below {ky} = 0 there is the penalty.
+    ellipse: `Why does CMA-ES lose? [Open it on the landscape](landscape&x=kx&y=ky&evolution.method=cma-es&population=7&generation=55): the ellipse is the distribution from which it draws. It has shrunk almost to a point, and this point is not the lowest. Seven trials a generation, of which it follows the best three, are what its authors advise for three gains on smooth ground. Here the ground has ripples and ends at a wall: below {ky} = 0 there is the penalty.
 
-There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.method=cma-es&population=7&evolution.belowZero=mirror&generation=570), or [let it try twenty](landscape&x=kx&y=ky&evolution.method=cma-es&generation=199) before it decides. Both are shown after 4\u202f000 drives. Which helps more? The last of the things to try lets them run; there the one that tries twenty is called simply *CMA-ES*. So was it the method that lost, or whoever set it up?`,
+There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.method=cma-es&population=7&evolution.belowZero=mirror&generation=570), or [let it try twenty](landscape&x=kx&y=ky&evolution.method=cma-es&generation=199) before it decides. Both are shown after 4\u202f000 drives. (Its authors have another, which is not in this contest: begin anew, each time with twice as many.) Which of the two helps more? The last of the things to try lets them run; there the one that tries twenty is called simply *CMA-ES*. So was it the method that lost, or whoever set it up?`,
     next: `One task, one start, three gains: what wins here need not win elsewhere. The contest counts how *soon* a search finds what the cost asks for. Whether the cost asks for the right thing, no contest tells.`,
   },
   quizzes: {
@@ -41,7 +41,7 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
       choices: [
         'Clearly worse: the luck of the tournament keeps variety alive',
         'Clearly better: nothing good is ever lost',
-        'Nobody can tell: the two come to much the same',
+        'Nobody can tell: 51 runs each show no clear difference',
       ],
       /** @param {{ first: Row, other: Row, target: number }} outcome */
       why: ({ first, other, target }) =>
@@ -81,7 +81,7 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
     },
     rivals: {
       question:
-        'Two rivals with the same drives: *differential evolution* (DE), which takes its steps from the differences between its robots, and *CMA-ES*, the most famous of all, which learns the shape of the valley, with the seven trials a generation that its authors advise. Which needs the fewest drives to 7.72 (ERT)?',
+        'Two rivals with the same drives: *differential evolution* (DE), which takes its steps from the differences between its robots, and *CMA-ES*, a famous one, which learns the shape of the valley, with the seven trials a generation that its authors advise. Which needs the fewest drives to 7.72 (ERT)?',
       choices: ['The paper’s EP', 'DE', 'CMA-ES with 7'],
       /** @param {{ lines: Row[] }} outcome */
       why: ({ lines: [ep, de, cma] }) =>
@@ -101,6 +101,6 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
     'With Cauchy steps 41 runs reach the target instead of 34. 51 runs cannot tell that from chance, which does not prove that it is chance. Letting each child fight only its own parent is fatal.',
     'With a floor, far fewer runs are lost in the end, but none gets much below the target either: by then the steps are too long.',
     'Whether six robots come to 7.8 sooner than twenty, 51 runs cannot tell. A hundred need twice as many drives.',
-    'A hand that moves one slider after the other beats evolution in two pairs of three, for the best {ky} lies at 0, where such sliders end. But it gets stuck more often: 37 runs arrive, not 49. Without that end it is lost.',
+    'A hand that moves one slider after the other beats evolution in two pairs of three, for the best {ky} lies at 0, where such sliders end. But it gets stuck more often: 37 runs get there, not 49. Without that end it is lost.',
   ],
 };

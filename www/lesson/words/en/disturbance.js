@@ -3,7 +3,7 @@ import { fixed } from '../../../words/numbers.js';
 
 export const disturbance = {
   texts: {
-    slip: `Until now the wheels did exactly what they were told. Now the ground slips: {=push}\u00a0m/s is added to whatever speed the robot drives. It runs past the goal, and there it stands, {=distance}\u00a0m away, for good. The close-up picture shows the last centimetres.`,
+    slip: `Until now the wheels did exactly what they were told, as far as their limits go. Now the ground slips: {=push}\u00a0m/s is added to whatever speed the robot drives. It runs past the goal, and there it stands, {=distance}\u00a0m away, for good. The close-up picture shows the last centimetres.`,
     why: `Why just there? At this place the law commands {=command}\u00a0m/s: backwards, as fast as the ground slides forwards. Nearer to the goal its command {kx} {xe} cos {te} is slower than the ground slides.`,
     theorem: `Must one know how the ground pushes? No: Theorem 2 asks only for a *bound*. The push {d1} on the speed never exceeds {e1}, the push {d2} on the turn rate never exceeds {e2}. The pushes add ({ye} sin {te} − {xe} cos {te}) {d1} − {d2} sin {te} to the rate of {V}. Each of the three parts of step 4 pulls {V} down; the pushes may lift it. While each part pulls harder than its share of the pushes can lift, {V} falls:`,
     sets: `Near the goal they cannot all hold: the right side of (6), for one, grows without end. So an error may remain. Solved for the error, each gives a *set* around zero: a coloured band under the curves, a strip in the picture of the last centimetres. *Larger gains, smaller sets*: so, says the paper, one chooses gains for an error that one allows.`,
@@ -49,7 +49,7 @@ export const disturbance = {
       choices: ['Farther than with the slip', 'As far', 'Nearer than with the slip'],
       /** @param {{ steady: number, random: number }} outcome */
       why: ({ steady, random }) =>
-        `Within ${fixed(random, 3)} m in the last two seconds; with the slip it was ${fixed(steady, 3)} m. Pushes to and fro largely cancel each other, a slip adds up. It is the steady disturbance that is the hard one.`,
+        `Within ${fixed(random, 3)} m in the last two seconds; with the slip it was ${fixed(steady, 3)} m. Pushes to and fro largely cancel each other, a slip never lets go. It is the steady disturbance that is the hard one.`,
     },
   },
   tries: {
@@ -60,7 +60,7 @@ export const disturbance = {
   },
   notice: [
     'Under the slip straight ahead the robot ends just on the edge of the set of (6): a smaller one would be wrong.',
-    'Under the slip that turns, |sin θₑ| stays a little outside its set, and it may: the theorem promises something only outside *all three*.',
+    'Under the slip that turns, |sin θₑ| stays a little outside its set, and it may: the theorem promises something only outside *all three*, and within one of them nothing, however large the other errors are.',
     'With {ky} near zero the set of (7) is metres wide. What evolution saved is missing here.',
     'Under random pushes on the speed {xe} and {ye} stay far inside their sets: the theorem allows for the worst.',
   ],

@@ -51,7 +51,7 @@ A *gain* says how hard one error pushes. Each bar is one push at this moment, on
   tries: {
     onlyKx: '{kx} alone: 3, 0, 0',
     onlyKt: '{kt} alone: 0, 0, 5. It turns on the spot, since {v} has no such term',
-    onlyKy: '{ky} alone: 0, 8, 0. It reacts to {ye} and to nothing else',
+    onlyKy: '{ky} alone: 0, 8, 0. Where {ye} is 0, it does nothing',
     all: 'All three: 3, 8, 5',
     stuck: 'Start beside the goal with {ky} = 0: nothing moves',
     shuffle: 'The same with {ky} = 8: it goes to and fro, as one does in a parking space, and so comes over',
@@ -62,6 +62,6 @@ A *gain* says how hard one error pushes. Each bar is one push at this moment, on
     'Where {ye} is 0, all terms but two are 0: {kx} drives and {kt} turns.',
     'A bar with an arrow leaves the picture: then the limits drive, where there are any, and not the law.',
     'In {w} each gain has a term, in {v} only {kx} and {ky} have one.',
-    'What to do at sin {te} = 0 the paper does not say. Here its size is never taken as less than 0.000001.',
+    'What to do at sin {te} = 0 the paper does not say. Here its size is never taken as less than 0.000001. That the law breaks down somewhere is no clumsiness: no smooth law that looks at the posture alone can park such a robot (Brockett 1983).',
   ],
 };

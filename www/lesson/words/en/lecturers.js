@@ -52,7 +52,7 @@ export const lecturers = {
         },
         close: {
           text: '*9 min.* And when the ground pushes? Theorem 2 says where {V} must still fall; how near the robot then comes, and when, it does not say.',
-          seen: 'An optimiser gives what the cost asks for. Nothing more.',
+          seen: 'An optimiser goes by the cost, and by nothing else.',
         },
       },
     },
@@ -94,7 +94,7 @@ export const lecturers = {
         },
         end: {
           text: '*86 to 90 min.* The seven sentences; the open task is the homework.',
-          seen: 'An optimiser gives what the cost asks for.',
+          seen: 'An optimiser goes by the cost.',
         },
       },
     },
@@ -140,7 +140,7 @@ export const lecturers = {
           seen: 'The second part becomes positive: {V} grows wherever it outweighs the other two, however small {ye} is, once {xe} and {te} have faded. So the robot may be driven away sideways. Both theorems need all three gains above zero.',
         },
         best: {
-          text: 'Why can the best J of the paper’s EP never rise from one generation to the next?',
+          text: 'Why can the best J of the page’s EP never rise from one generation to the next?',
           seen: 'A robot wins every bout in which it is at least as good as its opponent. The best wins all ten, and ties go to the lower J. So it survives.',
         },
         old: {

@@ -9,10 +9,10 @@ export const stability = {
     bowl: `Three errors are hard to watch at once. So take one number for all of them, {V}. Think of a bowl, the one in the picture: {V} is how high the robot stands on its wall. It is zero only at the bottom, where the robot is parked. At {=time} s it is {=V}. Play the drive, and watch the robot roll.`,
     falls: `Now the trick. The law was *built* so that {V} can only fall. To see it, one needs to know how the errors move. A dot over a symbol means: how fast it changes. The robot itself moves by its {v} and its {w}:`,
     errors: `Differentiate (3), put (2) in, and this is left. {vr} and {wr} are the goal’s own speed and turn rate, 0 for a goal at rest:`,
-    chain: `How fast does {V} change? By the chain rule:`,
-    left: `What is left is the rate at which {V} changes. It proves the paper’s Theorem 1, that the errors go to zero; for its proof the paper refers to an earlier paper, so this proof is ours:`,
+    chain: `How fast does {V} change, if the goal is at rest? By the chain rule:`,
+    left: `What is left is the rate at which {V} changes. For a goal at rest it proves the paper’s Theorem 1, that the errors go to zero; for its proof the paper refers to an earlier paper, so this proof is ours:`,
     parts: `Three parts, one for each gain. Each is a square or a fourth power with a minus sign, so as long as its gain is positive, the part is never positive; and all three are zero together only at the bottom and at one other spot, which the last note below describes. In the figure the three are stacked in their colours; the line is how fast {V} really changes. Here no limit interferes, and the two agree. So the robot rolls down until it is at the bottom of the bowl. Such a {V} is called a *Lyapunov function*.`,
-    before: `Before this law there was a simpler one, by Kanayama and others. It follows a moving goal well. But with it the robot turns only while the goal *moves*.`,
+    before: `Before this law there was a simpler one, by Kanayama and others. It follows a moving goal well. But its {w} is {wr} plus {vr} times a correction: the robot turns only while the goal *moves*.`,
     next: `The proof says that {V} never rises. From another start the program shows that at times it does. Both are right: the next step tells why.`,
   },
   bowl: {
@@ -40,12 +40,12 @@ export const stability = {
         '{ky} is set to −0.5, the other two stay above zero. For two seconds the law decides 2000 times a second, nearly at every instant. What becomes of {V}?',
       choices: [
         'It still falls to zero, only later',
-        'It stops falling before zero',
-        'In the end it is higher than at the start',
+        'It falls, and comes to rest above zero',
+        'It falls at first, and then it rises',
       ],
-      /** @param {{ first: number, last: number, most: number }} outcome */
-      why: ({ first, last, most }) =>
-        `{V} begins at ${heightText(first)} and ends at ${heightText(last)}; the highest is ${heightText(most)}. With {ky} below zero the orange part is above zero: it pushes the robot up the wall, with the fourth power of its distance to the side. At first the other two parts are stronger. As {xe} and {te} shrink, those two fade, and the orange part is left.`,
+      /** @param {{ first: number, last: number, least: number }} outcome */
+      why: ({ first, last, least }) =>
+        `{V} begins at ${heightText(first)}, falls to ${heightText(least)} and ends at ${heightText(last)}. With {ky} below zero the orange part is above zero: it pushes the robot up the wall, with the fourth power of its distance to the side. At first the other two parts are stronger. As {xe} and {te} shrink, those two fade, and the orange part is left.`,
     },
     kanayama: {
       question:
@@ -63,13 +63,14 @@ export const stability = {
   tries: {
     other: 'Another start: now {V} rises at times, though the proof forbids it',
     negativeTurn: '{kt} below zero: −2',
-    track: 'A goal that drives away at 0.5 m/s, with the speed limits on: the law follows it',
+    track:
+      'A goal that drives away at 0.5 m/s, with the speed limits on: the law, which then has terms with {vr} too, follows it',
     kanayamaTracks: 'Kanayama’s rule with the same moving goal and limits: it follows, too',
   },
   notice: [
     'The two terms with {ky} cancel only where sin {te} is not 0. Where it is 0 and {ye} is not, the law has no value, and what our program puts in its place can raise {V} at once: [such a start](curves&view=stability&drives=hand&gains=3,8,5&start=2,1,45deg&limits.speed=off&limits.turnRate=off).',
     'Early the blue part is the largest: most of {V} is lost by driving ahead.',
     'Close to the goal all parts are tiny, and the orange one the tiniest: the fourth power of a small number is very small. The last centimetres to the side take long. The dotted curve is that of the dotted drive, for comparison.',
-    'One spot is flat without being the bottom: [on the goal, turned by 180°](curves&view=stability&drives=hand&gains=3,1,5&start=2,2,-135deg). There every term of the law is zero, and {V} stays at 2. It is no hilltop but a *saddle*: sideways the bowl rises, only turning leads down. For seconds nothing happens, until rounding in the last digits has tipped the balance.',
+    'One spot is flat without being the bottom: [on the goal, turned by 180°](curves&view=stability&drives=hand&gains=3,1,5&start=2,2,-135deg). There every term of the law is zero, and {V} stays at 2. It is no hilltop but a *saddle*: wherever the robot moves, {V} rises; only turning leads down. For seconds nothing happens, until rounding in the last digits has tipped the balance.',
   ],
 };

@@ -112,7 +112,7 @@ const sentences = {
         : `The better ${counting} count, the best one most (bars: weights); the other ${counted(ranked - counting, 'is', 'are')} left aside.`,
     survivors({ record: { ellipse, next } }) {
       const ratio = ellipse && next.ellipse ? deviationRatio(ellipse, next.ellipse) : 1;
-      return `The mean moves to the weighted robots; the ellipse takes their shape, ${fixed(ratio, 2)} times as wide.`;
+      return `The mean moves to the weighted robots; the ellipse nears their shape, ${fixed(ratio, 2)} times as wide.`;
     },
   },
   'one-plus-one-es': {

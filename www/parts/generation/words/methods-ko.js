@@ -111,7 +111,7 @@ const sentences = {
         : `좋은 쪽 로봇 ${counting}대만, 좋을수록 크게 반영합니다(막대: 가중치). 나머지 ${ranked - counting}대는 쓰지 않습니다.`,
     survivors({ record: { ellipse, next } }) {
       const ratio = ellipse && next.ellipse ? deviationRatio(ellipse, next.ellipse) : 1;
-      return `평균이 가중 평균으로 옮겨 가고, 타원은 그 모양을 따르며 너비가 ${fixed(ratio, 2)}배가 됩니다.`;
+      return `평균이 가중 평균으로 옮겨 가고, 타원은 그 모양에 가까워지며 너비가 ${fixed(ratio, 2)}배가 됩니다.`;
     },
   },
   'one-plus-one-es': {

@@ -103,7 +103,7 @@ export const sentences = {
   ],
   drawMean: () => ['The random draws of these generations have a mean near 0.', 'mean'],
   drawVariance: () => ['They have a variance near 1.', 'variance'],
-  drawCorrelation: () => ['The draws for k and for σ have nothing to do with each other.', 'correlation'],
+  drawCorrelation: () => ['The draws for k and for σ are uncorrelated.', 'correlation'],
   offspringCosts: () => [
     'Every offspring has the J that its gains cost when they drive again.',
     'J that differ in any bit',
@@ -123,7 +123,7 @@ export const sentences = {
     'times that it rises',
   ],
   optimum: (generations) => [
-    `After ${generations} generations the best J is near 7.70, the optimum that an independent program found.`,
+    `After ${generations} generations the best J is near 7.70, the lowest that an independent program found.`,
     'J',
   ],
   hash: (task, preset, seed, generations) => [

@@ -111,7 +111,7 @@ export const sentences = {
   ],
   neverWorse: (generations) => [`${generations}세대 동안 최소 J는 한 번도 오르지 않습니다.`, '오른 횟수'],
   optimum: (generations) => [
-    `${generations}세대 뒤의 최소 J는 독립된 프로그램이 찾은 최적값 7.70에 가깝습니다.`,
+    `${generations}세대 뒤의 최소 J는 독립된 프로그램이 찾은 가장 낮은 값 7.70에 가깝습니다.`,
     'J',
   ],
   hash: (task, preset, seed, generations) => [
