@@ -43,12 +43,6 @@ export class Outline {
     this.#add(this.d ? 'L' : 'M', x, y);
   }
 
-  /** @param {number} x1 @param {number} y1 @param {number} x @param {number} y */
-  quadraticCurveTo(x1, y1, x, y) {
-    if (!this.d) this.moveTo(x1, y1);
-    this.#add('Q', x1, y1, x, y);
-  }
-
   closePath() {
     this.d += 'Z';
   }

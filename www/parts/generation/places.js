@@ -24,7 +24,6 @@ export function heightOf({ all }, { height }) {
     .domain([low, limit > low ? limit : low + 1])
     .range([height - margin.bottom - 14, top + 6]);
   return {
-    low,
     scale,
     /** The lowest J of the row above, where it begins and where its middle is. */
     above: crowded ? { limit, line: top, y: margin.top + 6 } : null,

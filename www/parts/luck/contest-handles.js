@@ -64,7 +64,6 @@ export function createHandle(root, id, label, onMove) {
     event.preventDefault();
   });
   return {
-    element,
     follow,
     /** @param {Grip | null} next */
     place(next) {

@@ -2,8 +2,8 @@
 /** @import { Posture } from '../../core/engine.js' */
 /** @import { Film } from './film.js' */
 /** @import { Drive } from './task.js' */
-import { circle, createLayer, createWatchedLayer } from '../../kit/canvas.js';
-import { watch } from '../../kit/memo.js';
+import { circle, createLayer, createWatchedLayer, pathOf } from '../../kit/canvas.js';
+import { once, watch } from '../../kit/memo.js';
 import { colour } from '../../kit/palette.js';
 import { viewAround } from '../../kit/transform.js';
 import { inMetres, postureAt, sampleBefore, trace } from '../../lab/track.js';
@@ -17,6 +17,13 @@ import { axle } from './task.js';
 const margin = 0.45;
 /** Metres between two lines on a wheel. */
 const tread = 0.035;
+/** In metres, ahead along x. */
+const outlines = once(() => ({
+  walls: pathOf('M-0.3 0.24H0.3V-0.24H-0.3'),
+  arrow: pathOf('M-0.65 0H-0.35M-0.43 0.06L-0.35 0L-0.43 -0.06'),
+  body: pathOf('M-0.085 -0.075H0.05Q0.125 -0.05 0.125 0Q0.125 0.05 0.05 0.075H-0.085Z'),
+  nose: pathOf('M0.03 -0.035L0.08 0L0.03 0.035'),
+}));
 
 /** @param {readonly HTMLCanvasElement[]} canvases One on the other: the floor, the trails, the robots. @param {{ goal: Posture, radius: number }} place */
 export function createParkPicture(canvases, place) {
@@ -68,7 +75,6 @@ function drawPaths(context, plan, drives, alpha) {
 
 /** Three walls, open to where one comes from, and the heading on the ground. @param {CanvasRenderingContext2D} context @param {Plan} plan @param {Posture} goal */
 function drawBay(context, plan, { x, y, theta }) {
-  const [length, width] = [0.3, 0.24];
   context.save();
   inMetres(context, plan);
   context.translate(x, y);
@@ -77,20 +83,9 @@ function drawBay(context, plan, { x, y, theta }) {
   context.lineJoin = 'round';
   context.lineCap = 'round';
   context.strokeStyle = colour('--ink');
-  context.beginPath();
-  context.moveTo(-length, width);
-  context.lineTo(length, width);
-  context.lineTo(length, -width);
-  context.lineTo(-length, -width);
-  context.stroke();
+  context.stroke(outlines().walls);
   context.lineWidth = 1.5 / plan.scale;
-  context.beginPath();
-  context.moveTo(-length - 0.35, 0);
-  context.lineTo(-length - 0.05, 0);
-  context.moveTo(-length - 0.13, 0.06);
-  context.lineTo(-length - 0.05, 0);
-  context.lineTo(-length - 0.13, -0.06);
-  context.stroke();
+  context.stroke(outlines().arrow);
   context.restore();
 }
 
@@ -175,22 +170,11 @@ function drawRobot(context, { run, left, right }, time, grown, { body, line, whe
     }
     context.stroke();
   }
-  context.beginPath();
-  context.moveTo(-0.085, -0.075);
-  context.lineTo(0.05, -0.075);
-  context.quadraticCurveTo(0.125, -0.05, 0.125, 0);
-  context.quadraticCurveTo(0.125, 0.05, 0.05, 0.075);
-  context.lineTo(-0.085, 0.075);
-  context.closePath();
   context.fillStyle = body;
   context.strokeStyle = line;
   context.lineWidth = 0.014;
-  context.fill();
-  context.stroke();
-  context.beginPath();
-  context.moveTo(0.03, -0.035);
-  context.lineTo(0.08, 0);
-  context.lineTo(0.03, 0.035);
-  context.stroke();
+  context.fill(outlines().body);
+  context.stroke(outlines().body);
+  context.stroke(outlines().nose);
   context.restore();
 }
