@@ -35,7 +35,7 @@ export function createSmallDrive(store) {
 
 /** @param {CanvasRenderingContext2D} context @param {Size} size @param {{ experiment: Experiment, run: Run, others: readonly (Run | null)[], beat: number, time: number, car: number, token: string }} what */
 function drawRun(context, size, { experiment, run, others, beat, time, car, token }) {
-  const plane = planeAround([experiment.starts[0], experiment.goal], size, 2.6 * car);
+  const plane = planeAround([experiment.starts[0], experiment.goal], size, 2.6 * car + 2);
   drawBay(context, plane.placeOf(experiment.goal), 1.3 * car, colour('--muted'));
   context.save();
   inMetres(context, plane);
