@@ -60,8 +60,8 @@ pub fn write(out: &mut dyn Write, seeds: u32) -> Result<(), Box<dyn Error>> {
         out,
         "Our EP: {GENERATIONS} generations of 20 individuals, q = 10, seeds 1 to {seeds}.\n\
          With acceleration limits the gains (30, 30, 30) swing the robot to {:.0}° here, while the paper's Figure 7\n\
-         ends at 60°. We know no reading of the limits that gives the paper's picture. That run is also chaotic: a\n\
-         change in the last bit changes its J in the first decimal.",
+         ends at 60°. We know no reading of the limits that gives the paper's picture. That run also hangs on\n\
+         rounding: a change in the last bit changes its J in the first decimal.",
         largest_heading(Preset::AccelerationLimits, PAPER_RESULTS[3].gains)?.to_degrees()
     )?;
     Ok(())

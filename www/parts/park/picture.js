@@ -45,7 +45,7 @@ export function createParkPicture(canvases, place) {
     /** @param {number} from */
     const trail = (from) => (/** @type {CanvasRenderingContext2D} */ context) =>
       drawTrails(context, plan, film, from);
-    const isNew = trailsChanged(film.drives, isOver(film), theme, size.width, size.height);
+    const isNew = trailsChanged(film.drives, isOver(film), theme, size);
     // Drawn anew, long trails would take most of a frame.
     if (isNew || film.time < drawn) trails.draw(size, trail(0));
     else if (film.time > drawn) trails.add(trail(drawn), trail(0));

@@ -41,7 +41,7 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
       choices: [
         'Clearly worse: the luck of the tournament keeps variety alive',
         'Clearly better: nothing good is ever lost',
-        'Nobody can tell: 51 runs each show no clear difference',
+        'Nobody can tell: with 51 runs of each there is no clear difference',
       ],
       /** @param {{ first: Row, other: Row, target: number }} outcome */
       why: ({ first, other, target }) =>

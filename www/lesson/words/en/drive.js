@@ -5,7 +5,7 @@ import { costText, fixed } from '../../../words/en/numbers.js';
 
 export const drive = {
   texts: {
-    begin: `This robot has two wheels and should park on the arrow at the upper right: exactly there, and pointing that way. The model of all robots that can drive and turn but never move sideways is called the *unicycle*. Three numbers, its *gains*, decide how it drives.
+    begin: `This robot has two wheels and should park on the arrow at the upper right: exactly there, and pointing that way. The model of robots that can drive and turn on the spot but never move sideways is called the *unicycle*. Three numbers, the *gains*, decide how this one drives.
 
 Move the three sliders under the picture. Each time you change a number, the robot drives again. The large number is *J*, the *cost* of the drive: it adds up the *time* the robot took, how far from the goal it was all the way (*path*) and at the end (*final*), and how fast it drove and turned (*energy*). *Lower is better.*
 

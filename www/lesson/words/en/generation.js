@@ -17,7 +17,7 @@ export const generation = {
   },
   texts: {
     begin: `You tried one set of gains after another. *Evolutionary programming* (EP) keeps {=count} sets at a time: a *population* of *individuals*, here robots. The first are *generation 0*: each gain is drawn at random between {=low} and {=high}, and each robot drives once: it is *evaluated*. (All chance here comes from one number, the *seed*: with the same seed everything happens again, with another seed, chance falls differently.) Then EP repeats four moves; each round makes the next *generation*. The numbers in the text are those of the robot chosen in the figure; press any other.`,
-    mutate: `*1. [Mutate](generation&generation=1&phase=mutation&individual=26).* Every parent has one *offspring*. Its gains are the parent’s, each moved by a random step: a *step size* {s}, its *strategy parameter*, times a draw {N} from the standard normal distribution (the bell curve), which is rarely beyond −2 or 2. (The figure shows new step sizes, too; step 8 is about them.)`,
+    mutate: `*1. [Mutate](generation&generation=1&phase=mutation&individual=26).* Every parent has one *offspring*. Its gains are the parent’s, each moved by a random step: the parent’s *step size* {s} (its *strategy parameter*) times a draw {N} from the standard normal distribution (the bell curve), which is rarely beyond −2 or 2. (The figure shows new step sizes, too; step 8 is about them.)`,
     drive: `*2. [Drive](generation&generation=1&phase=drive&individual=26).* All offspring drive, above the figure. {=child} comes to J {=childCost}; its parent had {=parentCost}. Of {=count} offspring, {=better} drive better than their parent. As a rule most do not: a random step is more often bad than good.`,
     rule: `*3. Tournament.* All {=all} robots, parents and offspring, meet {=bouts} others each, drawn at random *with replacement*: a robot may meet the same opponent twice, but never itself. It wins a bout unless its opponent has the lower J.
 
@@ -55,6 +55,6 @@ export const generation = {
   },
   notice: [
     'A generation costs 20 drives, not 40: the parents have driven already.',
-    'Offspring are made with the step sizes of their parent. They get new step sizes too, but use them only for their own offspring. *Evolution strategies*, EP’s sisters, do it the other way round: first the new step size, then a step with it.',
+    'Offspring are made with the step sizes of their parent. They get new step sizes too, but use them only for their own offspring. *Evolution strategies* that adapt themselves do it the other way round: first the new step size, then a step with it.',
   ],
 };

@@ -51,7 +51,7 @@ The *numbers themselves* are not the paper’s, and no honest program could make
     ['largest speed', '2 m/s', `${e.speed} m/s`],
     [
       'largest turn rate',
-      '“2(rad/s)” in our copy of its text, where Greek letters are lost; the axes of its plots go to 10',
+      '“2(rad/s)” in our copy of its text, where Greek letters are lost; the ω axis of its plots goes to 10',
       `${e.turnRate}π rad/s`,
     ],
     ['largest accelerations', '5 and “5”', `${e.acceleration} m/s², ${e.turnAcceleration}π rad/s²`],

@@ -41,7 +41,7 @@ export const contest = {
       choices: [
         '분명히 더 못하다: 토너먼트의 운이 다양성을 지켜 준다',
         '분명히 더 낫다: 좋은 것을 하나도 잃지 않는다',
-        '알 수 없다: 51번씩으로는 뚜렷한 차이가 없다',
+        '알 수 없다: 51번씩 실행해도 뚜렷한 차이가 보이지 않는다',
       ],
       /** @param {{ first: Row, other: Row, target: number }} outcome */
       why: ({ first, other, target }) =>

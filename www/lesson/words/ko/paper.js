@@ -46,7 +46,7 @@ export const paper = {
     ['최대 선속도', '2 m/s', `${e.speed} m/s`],
     [
       '최대 각속도',
-      '이 페이지가 참고한 사본에는 “2(rad/s)”. 그리스 문자가 빠졌고 그래프의 축은 10까지임',
+      '이 페이지가 참고한 사본에는 “2(rad/s)”. 그리스 문자가 빠졌고 그래프의 ω축은 10까지임',
       `${e.turnRate}π rad/s`,
     ],
     ['최대 가속도', '5와 “5”', `${e.acceleration} m/s², ${e.turnAcceleration}π rad/s²`],
