@@ -156,7 +156,8 @@ export const contestColumns = [
   { text: 'p', hint: 'Mann–Whitney, two-sided, of the same order; Holm’s correction for the lines' },
 ];
 /** The columns in a line; their hints have it in full. */
-export const columnsText = 'ERT: drives per success. A12: pairs won. p: how likely equals differ so much.';
+export const columnsText =
+  'ERT: drives per success. A12: pairs won. p: how likely equals differ at least so much.';
 /** @param {number} reached @param {number} count */
 export const reachedText = (reached, count) => `${reached} of ${count}`;
 
