@@ -100,6 +100,13 @@ fn rules_between_fields_are_told_in_words() {
             },
             "starts must be at most 1000 postures with 100000 samples a run, but was 4000",
         ),
+        (
+            |e| {
+                (e.horizon, e.evolution.method) = (1000.0, Method::De);
+                e.starts = vec![Posture::default(); 2000];
+            },
+            "starts must be at most 1000 postures with 100000 samples a run, but was 2000",
+        ),
     ] {
         let mut experiment = velocity_limits();
         change(&mut experiment);

@@ -1,7 +1,9 @@
 //! The rivals against published programs, on functions without a robot: how many evaluations until the value is below 1e-8.
 
+use ep_locomotion::robot::Gains;
 use ep_locomotion::run::Preset;
 use ep_locomotion::search::{EvolutionSettings, Method, search};
+use ep_locomotion::study::Evolution;
 
 type Function = fn([f64; 3]) -> f64;
 
@@ -45,6 +47,47 @@ fn quartiles(method: Method, population: u32, function: Function) -> [usize; 3] 
         .collect();
     times.sort_unstable();
     [12, 25, 38].map(|rank| times[rank])
+}
+
+/// The sign of NaN is the machine's: 0/0 is negative on x86 and positive on ARM.
+#[test]
+fn what_is_not_finite_costs_the_most_whatever_its_sign() {
+    let e = Preset::VelocityLimits.experiment().evolution;
+    for method in Method::ALL {
+        let e = EvolutionSettings { method: *method, ..e };
+        let gone = |wrong: f64| {
+            let mut search = search(e.method);
+            let mut told = Vec::new();
+            for generation in 0..6 {
+                let brood = search.ask(&e, generation);
+                let cost =
+                    |(i, k): (usize, &Gains)| if i % 3 == 1 { wrong } else { sphere(k.to_array()) };
+                let costs: Vec<f64> = brood.gains().iter().enumerate().map(cost).collect();
+                search.tell(&e, brood, &costs);
+                told.extend(search.population().iter().map(|one| (one.gains, one.cost.to_bits())));
+            }
+            assert!(search.best().cost.is_finite());
+            told
+        };
+        let expected = gone(f64::INFINITY);
+        for wrong in [f64::NAN, -f64::NAN, f64::NEG_INFINITY] {
+            assert_eq!(gone(wrong), expected, "{method:?}, {wrong}");
+        }
+    }
+}
+
+#[test]
+#[should_panic(expected = "differential evolution needs four members, not 3")]
+fn differential_evolution_of_three_ends_with_a_message() {
+    let e = Preset::VelocityLimits.experiment().evolution;
+    runtime(&EvolutionSettings { method: Method::De, population: 3, ..e }, sphere);
+}
+
+/// So that runs can be shared out to threads.
+#[test]
+fn an_evolution_may_go_to_another_thread() {
+    fn goes<T: Send + Sync>() {}
+    goes::<Evolution>();
 }
 
 /// What `tests/rivals/rivals.py --functions` prints of pycma 4.5.0 and SciPy 1.17.1.

@@ -254,15 +254,15 @@ class Sample(TypedDict):
     posture: Posture
     #: The reference posture, which moves when the reference velocity is not zero.
     reference: Posture
-    #: What the control law asks for.
+    #: What the control law asks for; at the end of a run, what it last asked for.
     command: Velocity
-    #: What the limits leave of it; it is applied until the next sample.
+    #: What the limits leave of it, applied until the next sample; at the end, what was last applied.
     velocity: Velocity
     #: The error posture (3), in the frame of the reference: metres, and radians in (−π, π].
     error: ErrorPosture
-    #: V = ½ x_e² + ½ y_e² + (1 − cos θ_e).
+    #: V = ½ x_e² + ½ y_e² + (1 − cos θ_e) of the paper, in m².
     lyapunov: float
-    #: dV/dt with the applied velocity.
+    #: dV/dt with the applied velocity, without the disturbance, in m²/s.
     lyapunovRate: float
     #: How the run ended; null while the robot drives.
     outcome: Optional[Outcome]
@@ -286,7 +286,8 @@ class Individual(TypedDict):
 
     #: The gains (kx, ky, kθ).
     gains: Sequence[float]
-    #: The strategy parameters: the standard deviation of each gain's mutation. Of CMA-ES the one it was drawn with; of a
+    #: The strategy parameters: the standard deviation of each gain's mutation, of Cauchy's steps their scale. Of
+    #: CMA-ES the one it was drawn with; of a
     #: method that goes from point to point, how far the step after it was to go when it was found (``plan`` has the next one);
     #: of random search the initial σ; else 0.
     sigmas: Sequence[float]

@@ -27,6 +27,8 @@ const REFUSED: u8 = 1;
 /// Where there is room for so many bytes.
 #[unsafe(no_mangle)]
 pub extern "C" fn reserve(length: usize) -> *mut u8 {
+    // Where there is no room, what was answered last is no reason.
+    say(REFUSED, &[]);
     ASKED.with_borrow_mut(|asked| {
         *asked = vec![0; length];
         asked.as_mut_ptr()

@@ -51,22 +51,21 @@ pub fn number<S: Source>(given: &S, name: &str) -> Result<f64> {
 
 /// The index of a start posture; 0 if it is left out.
 pub fn start<S: Source>(setting: &Setting, given: &S) -> Result<u32> {
-    if !given.is_given() {
-        return Ok(0);
-    }
-    let start = number(given, "start")?;
-    setting.start_indices().check("start", start)?;
-    Ok(start as u32)
+    whole(given, "start", setting.start_indices(), 0)
 }
 
 /// How many steps to take; one if it is left out.
 pub fn steps<S: Source>(given: &S, name: &str) -> Result<u32> {
+    whole(given, name, Allowed::whole(1, LAST_GENERATION), 1)
+}
+
+fn whole<S: Source>(given: &S, name: &str, allowed: Allowed, usual: u32) -> Result<u32> {
     if !given.is_given() {
-        return Ok(1);
+        return Ok(usual);
     }
-    let steps = number(given, name)?;
-    Allowed::whole(1, LAST_GENERATION).check(name, steps)?;
-    Ok(steps as u32)
+    let number = number(given, name)?;
+    allowed.check(name, number)?;
+    Ok(number as u32)
 }
 
 /// The number of a generation; the newest if it is left out.

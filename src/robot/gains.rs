@@ -2,7 +2,7 @@
 
 use crate::number::Real;
 use crate::schema::{
-    Allowed, Input, InvalidInput, Place, Plain, Result, Source, Types, Writer, refused, too_many,
+    Allowed, InvalidInput, Place, Plain, Result, Source, Types, Writer, refused, too_many,
 };
 
 /// The three gains k = (kx, ky, kθ) that evolution looks for, in the units of the paper's law (5), for which Theorem 1 holds
@@ -89,10 +89,9 @@ fn read_numbers<S: Source>(given: &S) -> Result<Vec<f64>> {
         return Err(too_many(place, MOST, count));
     }
     let number = |i| {
-        let mut number = 0.0;
-        let name = gain_name(i);
-        f64::read(&mut number, &given.element(i), Place::Named(&name), &Allowed::ANY)?;
-        Ok(number)
+        let element = given.element(i);
+        let wrong = || refused(&element, Place::Named(&gain_name(i)), Allowed::ANY.expected());
+        element.number().ok_or_else(wrong)
     };
     (0..count).map(number).collect()
 }

@@ -5,7 +5,7 @@ use crate::schema::{
     Allowed, Fields, Input, InvalidInput, Place, Result, Source, Text, record, refused,
 };
 
-/// Coordinates beyond a kilometre lose the millimetres of a goal next to them, and no lesson needs them.
+/// No lesson needs coordinates beyond a kilometre.
 pub const METRES: Allowed = Allowed::within("m", -1000.0, 1000.0);
 const RADIANS: Allowed = Allowed::within("rad", -100.0, 100.0);
 /// Speeds along the way.

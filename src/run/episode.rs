@@ -46,7 +46,7 @@ pub struct Sample {
     pub error: ErrorPosture,
     /// V = ½ x_e² + ½ y_e² + (1 − cos θ_e) of the paper, in m².
     pub lyapunov: f64,
-    /// V̇ with the applied velocity, in m²/s.
+    /// V̇ with the applied velocity, without the disturbance, in m²/s.
     pub lyapunov_rate: f64,
     /// How the run ended, if it has.
     pub outcome: Option<Outcome>,
@@ -61,15 +61,15 @@ told! {
         "posture" => |sample| &sample.posture,
         /// The reference posture, which moves when the reference velocity is not zero.
         "reference" => |sample| &sample.reference,
-        /// What the control law asks for.
+        /// What the control law asks for; at the end of a run, what it last asked for.
         "command" => |sample| &sample.command,
-        /// What the limits leave of it; it is applied until the next sample.
+        /// What the limits leave of it, applied until the next sample; at the end, what was last applied.
         "velocity" => |sample| &sample.velocity,
         /// The error posture (3), in the frame of the reference: metres, and radians in (−π, π].
         "error" => |sample| &sample.error,
-        /// V = ½ x_e² + ½ y_e² + (1 − cos θ_e).
+        /// V = ½ x_e² + ½ y_e² + (1 − cos θ_e) of the paper, in m².
         "lyapunov" => |sample| sample.lyapunov,
-        /// dV/dt with the applied velocity.
+        /// dV/dt with the applied velocity, without the disturbance, in m²/s.
         "lyapunovRate" => |sample| sample.lyapunov_rate,
         /// How the run ended; null while the robot drives.
         "outcome" => |sample| &sample.outcome,

@@ -56,8 +56,7 @@ impl Experiment {
     pub(super) fn check_generation(&self) -> Result<()> {
         let (count, starts) = (f64::from(self.evolution.most_solutions()), self.starts.len());
         // A population can be smaller; else only fewer starts help.
-        let least = if self.evolution.is_by_population() { 1.0 } else { count };
-        let work = least * self.work_from(starts);
+        let work = f64::from(self.evolution.least_solutions()) * self.work_from(starts);
         if work > MAX_WORK {
             let most = (MAX_WORK * starts as f64 / work).floor();
             let expected = Text::from("at most ") + most + " postures with ";

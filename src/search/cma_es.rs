@@ -3,7 +3,7 @@
 
 use rand_distr::{Distribution, StandardNormal};
 
-use super::generation::{Brood, GenerationRecord, Making};
+use super::generation::{Brood, GenerationRecord, Making, by_cost};
 use super::individual::{Individual, first_drawn};
 use super::plan::{Ellipse, Plan};
 use super::search::{Found, Search, found};
@@ -36,10 +36,11 @@ impl Search for CmaEs {
     fn tell(&mut self, e: &EvolutionSettings, brood: Brood, costs: &[f64]) -> GenerationRecord {
         let (generation, normal) = (brood.generation, self.normal(e));
         let steps = normal.steps(e, generation);
-        let order = in_order(costs.len(), &|i, j| costs[i].total_cmp(&costs[j]));
+        let brood = brood.with_costs(costs);
+        let order = by_cost(&brood.offspring);
         let ranked: Vec<_> = order.iter().map(|number| steps[*number as usize]).collect();
         self.normal = Some(normal.moved(&ranked));
-        let record = brood.with_costs(costs).survived_by_offspring();
+        let record = brood.survived_by_offspring();
         self.found.follow(&record);
         record
     }

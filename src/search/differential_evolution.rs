@@ -53,10 +53,11 @@ impl Search for DifferentialEvolution {
 
 /// Three members, none of them twice and none of them this one.
 fn others(own: usize, count: usize, rng: &mut impl Rng) -> [usize; 3] {
+    assert!(count >= 4, "differential evolution needs four members, not {count}");
     let mut taken = [own; 4];
     for place in 1..4 {
         taken[place] = loop {
-            let drawn = rng.random_range(0..count as u32) as usize;
+            let drawn = rng.random_range(0..count);
             if !taken[..place].contains(&drawn) {
                 break drawn;
             }
@@ -79,7 +80,7 @@ fn trial(
     rng: &mut impl Rng,
 ) -> Individual {
     let [member, mutant] = [member, mutant].map(|one| one.gains.to_array());
-    let always = rng.random_range(0..3_u32) as usize;
+    let always = rng.random_range(0..3_usize);
     let gains = [0, 1, 2].map(|j| {
         let is_crossed = rng.random::<f64>() < CROSSOVER;
         if is_crossed || j == always { mutant[j] } else { member[j] }

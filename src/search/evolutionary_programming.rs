@@ -7,7 +7,7 @@ use super::individual::{Individual, best, drawn};
 use super::mutation::Mutation;
 use super::search::Search;
 use super::settings::{EvolutionSettings, Selection};
-use super::tournament::Tournament;
+use super::tournament::{Tournament, another};
 use crate::number::{Purpose, stream};
 
 /// Where evolutionary programming stands: its population.
@@ -77,13 +77,12 @@ fn crossed(
     }
     let mut rng = stream(e.seed, Purpose::Partners, generation);
     let crossed = parents.iter().zip(0..).map(|(parent, own): (&Individual, u32)| {
-        let (is_crossed, drawn) =
-            (rng.random::<f64>() < e.crossover, rng.random_range(0..parents.len() as u32 - 1));
+        let is_crossed = rng.random::<f64>() < e.crossover;
+        let partner = another(own, parents.len() as u32, &mut rng);
         let from_partner = [0; 3].map(|_| rng.random::<bool>());
         if !is_crossed {
             return (Vec::new(), *parent);
         }
-        let partner = if drawn < own { drawn } else { drawn + 1 };
         (vec![partner], mixed(parent, &parents[partner as usize], from_partner))
     });
     crossed.unzip()

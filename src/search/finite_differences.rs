@@ -49,7 +49,7 @@ impl Search for FiniteDifferences {
             }
             (_, None) => {
                 let here = brood.parents[0].cost;
-                let slope = [0, 1, 2].map(|j| (costs[j] - here) / PROBE);
+                let slope = [0, 1, 2].map(|j| (brood.offspring[j].cost - here) / PROBE);
                 let steepness = steepness(slope);
                 // Where it is level, or no slope can be told, another probe finds the same.
                 self.slope = (steepness > 0.0 && steepness.is_finite()).then_some(slope);

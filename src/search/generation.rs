@@ -117,13 +117,16 @@ impl Brood {
         self.offspring.iter().map(|individual| individual.gains).collect()
     }
 
-    /// The same once each new solution has cost so much.
+    /// The same once each new solution has cost so much; what is not finite is infinite, so that no machine's sign of NaN
+    /// makes it the best.
     ///
     /// # Panics
     /// If there is not one cost for each of them.
     pub(super) fn with_costs(mut self, costs: &[f64]) -> Self {
         assert_eq!(costs.len(), self.offspring.len(), "one cost for each new solution");
-        self.offspring.iter_mut().zip(costs).for_each(|(one, cost)| one.cost = *cost);
+        for (one, cost) in self.offspring.iter_mut().zip(costs) {
+            one.cost = if cost.is_finite() { *cost } else { f64::INFINITY };
+        }
         self
     }
 

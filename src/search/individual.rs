@@ -12,7 +12,8 @@ record! { (Copy)
     pub struct Individual {
         /// The gains (kx, ky, kθ).
         pub gains: Gains => "gains",
-        /// The strategy parameters: the standard deviation of each gain's mutation. Of CMA-ES the one it was drawn with; of a
+        /// The strategy parameters: the standard deviation of each gain's mutation, of Cauchy's steps their scale. Of
+        /// CMA-ES the one it was drawn with; of a
         /// method that goes from point to point, how far the step after it was to go when it was found (`plan` has the next one);
         /// of random search the initial σ; else 0.
         pub sigmas: [f64; 3] => "sigmas",

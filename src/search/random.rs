@@ -1,7 +1,7 @@
 //! Random search: as many trials, and nothing learnt from them.
 
 use super::generation::{Brood, GenerationRecord};
-use super::individual::{Individual, drawn};
+use super::individual::drawn;
 use super::search::{Found, Search, found};
 use super::settings::EvolutionSettings;
 use crate::robot::Gains;
@@ -28,16 +28,16 @@ impl Search for RandomSearch {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Draws {
     generation: u32,
-    waiting: Vec<Individual>,
+    waiting: Vec<Gains>,
 }
 
 impl Draws {
     /// The next so many.
     pub(crate) fn next(&mut self, e: &EvolutionSettings, count: usize) -> Vec<Gains> {
         while self.waiting.len() < count {
-            self.waiting.extend(drawn(e, self.generation));
+            self.waiting.extend(drawn(e, self.generation).into_iter().map(|one| one.gains));
             self.generation += 1;
         }
-        self.waiting.drain(..count).map(|individual| individual.gains).collect()
+        self.waiting.drain(..count).collect()
     }
 }

@@ -11,11 +11,12 @@ use super::settings::EvolutionSettings;
 ///
 /// What it asks for in a generation depends on where it stands, the settings with their seed and the generation's number
 /// alone; so a search that is kept can go on from there at any time, to the same bits.
-pub trait Search {
+pub trait Search: Send + Sync {
     /// What is to be driven in a generation; the first is 0.
     ///
     /// # Panics
-    /// If the generation is beyond [`LAST_GENERATION`](super::LAST_GENERATION), and the method draws in it.
+    /// If the generation is beyond [`LAST_GENERATION`](super::LAST_GENERATION), and the method draws in it, or if the
+    /// population is smaller than the method can do with: four for differential evolution, two for CMA-ES.
     fn ask(&self, e: &EvolutionSettings, generation: u32) -> Brood;
 
     /// The generation once each new solution has cost so much. From here on the search stands behind it.

@@ -113,12 +113,8 @@ impl EvolutionSettings {
             let found = Text::from("[") + low + ", " + high + "]";
             return Err(InvalidInput::new("evolution.initialRange", expected, found));
         }
-        let least = match self.method {
-            Method::De => 4,
-            Method::CmaEs => 2,
-            _ => return Ok(()),
-        };
-        if self.population >= least {
+        let least = self.least_solutions();
+        if !self.is_by_population() || self.population >= least {
             return Ok(());
         }
         let expected = format!("{least} or more with the method '{}'", self.method.word());
@@ -136,8 +132,21 @@ impl EvolutionSettings {
     }
 
     /// Whether a generation has as many new solutions as the population members.
-    pub(crate) fn is_by_population(&self) -> bool {
+    fn is_by_population(&self) -> bool {
         self.own_solutions().is_none()
+    }
+
+    /// Fewest new solutions in a generation that the method can do with.
+    pub(crate) fn least_solutions(&self) -> u32 {
+        match self.method {
+            Method::De => 4,
+            Method::CmaEs => 2,
+            Method::Ep | Method::Random => 1,
+            Method::NelderMead
+            | Method::FiniteDifferences
+            | Method::OnePlusOneEs
+            | Method::OneAtATime => self.most_solutions(),
+        }
     }
 
     /// Most new solutions in a generation.

@@ -18,21 +18,26 @@ pub fn wins_bout(cost: f64, opponent: f64) -> bool {
     cost.is_finite() && cost <= opponent
 }
 
+/// Any of so many but oneself.
+///
+/// # Panics
+/// If there is nobody else.
+pub(super) fn another(own: u32, count: u32, rng: &mut impl Rng) -> u32 {
+    let drawn = rng.random_range(0..count - 1);
+    if drawn < own { drawn } else { drawn + 1 }
+}
+
 impl Tournament {
     /// Each solution meets `q` opponents, drawn uniformly and with replacement from all the others.
     ///
     /// That a solution may meet another twice, and never itself, is our choice.
     ///
     /// # Panics
-    /// If there are fewer than two solutions.
+    /// If there is one solution alone, and it shall meet others.
     pub fn hold(costs: &[f64], q: u32, rng: &mut impl Rng) -> Self {
         let count = costs.len() as u32;
-        let opponents: Vec<Vec<u32>> = (0..count)
-            .map(|own| {
-                let other = |drawn| if drawn < own { drawn } else { drawn + 1 };
-                (0..q).map(|_| other(rng.random_range(0..count - 1))).collect()
-            })
-            .collect();
+        let opponents: Vec<Vec<u32>> =
+            (0..count).map(|own| (0..q).map(|_| another(own, count, rng)).collect()).collect();
         let wins = costs
             .iter()
             .zip(&opponents)

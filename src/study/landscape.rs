@@ -2,6 +2,7 @@
 
 use super::part::{read_part, validate_part};
 use super::starts::{AXIS_COUNT, Range};
+use crate::number::Real;
 use crate::robot::{Gains, Triples};
 use crate::run::Setting;
 use crate::schema::{
@@ -72,7 +73,10 @@ impl Axis {
         if !self.log || is_end {
             return Range { from, to, count }.value(index);
         }
-        libm::exp(Range { from: libm::log(from), to: libm::log(to), count }.value(index))
+        let value =
+            libm::exp(Range { from: libm::log(from), to: libm::log(to), count }.value(index));
+        // Where the ends are close, rounding would lead out of them.
+        value.at_least(from.at_most(to)).at_most(from.at_least(to))
     }
 
     fn validate(&self, name: &str) -> Result<()> {

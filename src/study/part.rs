@@ -1,6 +1,6 @@
 //! Jobs that can be split by index without changing a bit.
 
-use crate::schema::{Allowed, InvalidInput, Place, Result, Source, refused};
+use crate::schema::{Allowed, InvalidInput, Place, Result, Source, read_whole};
 
 /// Checks a part [first, end) of a job that has `count` parts.
 pub(super) fn validate_part(field: &str, part: [u32; 2], count: u32) -> Result<[u32; 2]> {
@@ -17,15 +17,5 @@ pub(super) fn read_part<S: Source>(given: &S, place: Place<'_>, count: u32) -> R
     if !given.is_given() {
         return Ok([0, count]);
     }
-    if given.length(false) != Some(2) {
-        return Err(refused(given, place, "an array of 2"));
-    }
-    let end = |i| {
-        let (end, allowed) = (given.element(i), Allowed::whole(0, count));
-        let number = end.number().filter(|number| allowed.allows(*number));
-        number
-            .map(|number| number as u32)
-            .ok_or_else(|| refused(&end, Place::Element(&place, i), allowed.expected()))
-    };
-    Ok([end(0)?, end(1)?])
+    read_whole([0, 0], given, place, &Allowed::whole(0, count))
 }

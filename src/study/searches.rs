@@ -24,7 +24,10 @@ pub(super) fn check_searches(setting: &Setting, count: f64, drives: f64, rows: f
     check_bytes("the number of seeds", count, beside + rows * BYTES_OF_A_ROW)
 }
 
-/// Asks each search for what it tries next, and tells it what that has cost. All are driven together, so that there are many
+/// So many solutions are driven at once: enough for every lane, and few beside those that the searches keep.
+const AT_ONCE: usize = 1 << 14;
+
+/// Asks each search for what it tries next, and tells it what that has cost. Many are driven together, so that there are many
 /// runs to drive at once.
 pub(super) fn step_together<S>(
     setting: &Setting,
@@ -32,12 +35,15 @@ pub(super) fn step_together<S>(
     ask: impl Fn(&mut S) -> (Brood, Vec<Gains>),
     tell: impl Fn(&mut S, Brood, &[f64]),
 ) {
-    let (broods, gains): (Vec<_>, Vec<_>) = searches.iter_mut().map(ask).unzip();
-    let costs = setting.totals(&gains.concat());
-    let mut rest = costs.as_slice();
-    for ((search, brood), gains) in searches.iter_mut().zip(broods).zip(gains) {
-        let (own, others) = rest.split_at(gains.len());
-        tell(search, brood, own);
-        rest = others;
+    let each = setting.experiment().evolution.most_solutions() as usize;
+    for some in searches.chunks_mut((AT_ONCE / each).max(1)) {
+        let (broods, gains): (Vec<_>, Vec<_>) = some.iter_mut().map(&ask).unzip();
+        let costs = setting.totals(&gains.concat());
+        let mut rest = costs.as_slice();
+        for ((search, brood), gains) in some.iter_mut().zip(broods).zip(gains) {
+            let (own, others) = rest.split_at(gains.len());
+            tell(search, brood, own);
+            rest = others;
+        }
     }
 }

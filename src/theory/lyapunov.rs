@@ -56,8 +56,8 @@ impl Law {
         }
     }
 
-    /// The parts of V̇ that the proof promises for the commanded velocity: V̇ of [`Law::lyapunov`] is their sum. None where
-    /// the law has no such function.
+    /// The parts of V̇ that the proof promises for the commanded velocity: V̇ of [`Law::lyapunov`] is their sum wherever no
+    /// divisor of the law is guarded ([`SMALLEST_DIVISOR`](crate::robot::SMALLEST_DIVISOR)). None where the law has no such function.
     ///
     /// [`Law::ShimKim`], any q_r: −kx x_e² cos² θ_e, −ky y_e⁴ and −kθ sin² θ_e (Theorem 1).
     ///
@@ -76,7 +76,8 @@ impl Law {
     }
 }
 
-/// The parts of V̇ under the law (5) without limits or disturbance (Theorem 1): −kx x_e² cos² θ_e, −ky y_e⁴, −kθ sin² θ_e.
+/// The parts of V̇ under the law (5) without limits or disturbance (Theorem 1), wherever no divisor is guarded:
+/// −kx x_e² cos² θ_e, −ky y_e⁴, −kθ sin² θ_e.
 pub(super) fn theorem_1_rate(e: &ErrorPosture, k: &Gains) -> PromisedRate {
     let (ahead, aside) = (e.x * e.cos, e.y * e.y);
     PromisedRate {

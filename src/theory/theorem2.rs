@@ -21,7 +21,8 @@ pub fn robust_gains(e: &ErrorPosture, bound: Velocity) -> Gains {
     )
 }
 
-/// A bound on V̇, in m²/s, that no disturbance within ±(ε1, ε2) exceeds under the law (5):
+/// A bound on V̇, in m²/s, that no disturbance within ±(ε1, ε2) exceeds under the law (5), wherever none of its divisors is
+/// guarded ([`SMALLEST_DIVISOR`](crate::robot::SMALLEST_DIVISOR)):
 /// V̇ + (|y_e sin θ_e| + |x_e cos θ_e|) ε1 + |sin θ_e| ε2, bounded term by term as in the proof of Theorem 2. It is reached only where
 /// the two parts of ε1 do not cancel.
 pub fn lyapunov_rate_bound(e: &ErrorPosture, k: &Gains, bound: Velocity) -> f64 {
@@ -66,7 +67,8 @@ impl ErrorSizes {
 ///
 /// They are Theorem 2's inequalities solved for the error: |x_e cos θ_e| ≤ ε1 / kx (6),
 /// |y_e|³ ≤ ε1 |sin θ_e| / ky (7), |sin θ_e| ≤ ε2 / kθ (8). The one of y_e depends on the heading, so it is that for
-/// `sin` = sin θ_e. Outside all three, V̇ < 0 for the law (5) without limits and in continuous time; outside one of them
+/// `sin` = sin θ_e. Outside all three, V̇ < 0 for the law (5) without limits, in continuous time
+/// and wherever none of its divisors is guarded; outside one of them
 /// only its own part is negative. A gain that is not over 0 makes no part negative: its set has no end.
 pub fn theorem_2_sets(k: &Gains, bound: Velocity, sin: f64) -> ErrorSizes {
     let quotient = |push: f64, gain: f64| if gain > 0.0 { push / gain } else { f64::INFINITY };

@@ -25,6 +25,11 @@ const largest = [
   () => core.landscape(short, { x: { gain: 'kx', ...axis }, y: { gain: 'ky', ...axis }, gains: [1, 1, 1] }),
   () => core.evaluate(short, new Float64Array(3_000_000)),
   () => core.seedRuns({ ...short, evolution: { population: 2000 } }, { seeds: [0, 250], generations: 0 }),
+  () =>
+    core.seedRuns(
+      { ...short, evolution: { population: 200, crossover: 1 } },
+      { seeds: [0, 2500], generations: 1 },
+    ),
   () => core.seedRuns({ ...short, evolution: { population: 1 } }, { seeds: [0, 50_000], generations: 0 }),
   () =>
     core.trials(
