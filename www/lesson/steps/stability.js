@@ -1,5 +1,5 @@
 // Why it gets there. The Lyapunov function and its rate.
-import { largest } from '../../kit/extent.js';
+import { extentOf, largest } from '../../kit/extent.js';
 import { fixed, signed } from '../../words/numbers.js';
 import { createBowl } from '../views/bowl.js';
 import { createCancel } from '../views/cancel.js';
@@ -35,7 +35,8 @@ export const stability = {
       order: [2, 0, 1],
       answer({ samples, scene }) {
         const values = samples.map(({ lyapunov }) => lyapunov);
-        const [first, last, least] = [values[0], values[values.length - 1], Math.min(...values)];
+        const [first, last] = [values[0], values[values.length - 1]];
+        const [least] = extentOf([values]);
         const { arrived } = scene.driving;
         // How far it has risen by then rounding decides, not that it rises.
         return { right: arrived ? 0 : last > 2 * least ? 2 : 1, first, last, least };

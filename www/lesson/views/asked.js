@@ -144,7 +144,7 @@ function drawHalf(context, { width, height }, top, half, { run, time }, isLast =
 /** How much is asked for at most, where that is more than can be done. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Half} half @param {ArrayLike<number>} times */
 function namePeak(context, { frame, x, y }, { asked, limit, token }, times) {
   const sizes = Array.from(asked, Math.abs);
-  const at = sizes.indexOf(Math.max(...sizes));
+  const at = sizes.indexOf(largest(sizes));
   if (!(sizes[at] > Number(limit) && sizes[at] < 1e4)) return;
   const text = fixed(asked[at], 1);
   setLettering(context, { token, font: textFont, align: 'left', baseline: 'alphabetic' });
