@@ -15,8 +15,9 @@ pub trait Search: Send + Sync {
     /// What is to be driven in a generation; the first is 0.
     ///
     /// # Panics
-    /// If the generation is beyond [`LAST_GENERATION`](super::LAST_GENERATION), and the method draws in it, or if the
-    /// population is smaller than the method can do with: four for differential evolution, two for CMA-ES.
+    /// If the generation is beyond [`LAST_GENERATION`](super::LAST_GENERATION), and the method draws in it, or if
+    /// differential evolution has fewer than four members. (CMA-ES with a population of one asks for NaN; no experiment that
+    /// is checked has either.)
     fn ask(&self, e: &EvolutionSettings, generation: u32) -> Brood;
 
     /// The generation once each new solution has cost so much. From here on the search stands behind it.
