@@ -6,8 +6,9 @@ Of each run the CSV has a row wherever the best J fell. The last number is the b
 
 The folder contest-ioh is an experiment as IOHinspector reads it: of each run the rows of the CSV, and one at the budget.
 
-contest-ioh-aligned.csv is for IOHanalyzer: "Use custom csv format", then name the columns, which stand in the order in which it
-asks for them, and "Process uploaded file with selected settings"; or in R
+contest-ioh-aligned.csv is for IOHanalyzer from 0.1.8.2 on: "Use custom csv format", then name the columns, which stand in the order
+in which it asks for them (evaluation count drive, function values J, function ID function, algorithm ID contestant, problem
+dimension dimension, run ID seed; no maximization), and "Process uploaded file with selected settings"; or in R
 
     read_pure_csv("contest-ioh-aligned.csv", "drive", "J", "function", "contestant", "dimension", "seed")
 
