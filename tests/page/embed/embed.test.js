@@ -63,7 +63,25 @@ test('what a link says, and every part, stands in the documents', async () => {
   // Of four pins the table names the first and the last.
   for (const { key } of links.keys.filter((one) => !/^pin[23]$/.test(one.key)))
     assert.ok(told.includes(`\`${key}\``), `no table of docs/ says what ${key} is`);
+
+  // A key of a part that takes certain words only says which, where it refuses another.
+  for (const { key, slice, read } of parts.flatMap((part) => part.keys ?? [])) {
+    const row = embedding.split('\n').find((line) => line.split('|')[1]?.includes(`\`${key}\``));
+    const opened = /** @type {any} */ ({ parts: { [slice.name]: slice.first } });
+    for (const word of wordsOf(() => read(opened, 'unheard-of', /** @type {any} */ (null))))
+      assert.ok(row?.includes(word), `docs/embedding.md does not say that ${key} may be ${word}`);
+  }
 });
+
+/** The words of which one is asked for. @param {() => unknown} ask @returns {string[]} */
+function wordsOf(ask) {
+  try {
+    ask();
+  } catch (error) {
+    return /one of (.*), but was/.exec(String(error))?.[1].split(', ') ?? [];
+  }
+  return [];
+}
 
 pageTest('a step of the lesson stands beside its figure, without the way to other steps', async (page) => {
   const html = [400, 640, 800].map((width) => frameOf(page, 'lesson&step=2', width, 420)).join('');
