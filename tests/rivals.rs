@@ -83,6 +83,13 @@ fn differential_evolution_of_three_ends_with_a_message() {
     runtime(&EvolutionSettings { method: Method::De, population: 3, ..e }, sphere);
 }
 
+#[test]
+#[should_panic(expected = "CMA-ES needs a population of two, not 1")]
+fn cma_es_of_one_ends_with_a_message() {
+    let e = Preset::VelocityLimits.experiment().evolution;
+    runtime(&EvolutionSettings { method: Method::CmaEs, population: 1, ..e }, sphere);
+}
+
 /// So that runs can be shared out to threads.
 #[test]
 fn an_evolution_may_go_to_another_thread() {

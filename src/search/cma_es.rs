@@ -24,6 +24,7 @@ pub struct CmaEs {
 
 impl Search for CmaEs {
     fn ask(&self, e: &EvolutionSettings, generation: u32) -> Brood {
+        assert!(e.population > 1, "CMA-ES needs a population of two, not {}", e.population);
         let normal = self.normal(e);
         let sigmas = normal.sigmas();
         let steps = normal.steps(e, generation);

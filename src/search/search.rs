@@ -16,8 +16,7 @@ pub trait Search: Send + Sync {
     ///
     /// # Panics
     /// If the generation is beyond [`LAST_GENERATION`](super::LAST_GENERATION), and the method draws in it, or if
-    /// differential evolution has fewer than four members. (CMA-ES with a population of one asks for NaN; no experiment that
-    /// is checked has either.)
+    /// differential evolution has fewer than four members, or CMA-ES fewer than two. (No experiment that is checked has.)
     fn ask(&self, e: &EvolutionSettings, generation: u32) -> Brood;
 
     /// The generation once each new solution has cost so much. From here on the search stands behind it.
