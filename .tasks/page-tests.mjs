@@ -1,5 +1,5 @@
 // The tests of the built page: which files there are, and the processes that share them.
-import { readdirSync, readFileSync } from 'node:fs';
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { top } from './run.mjs';
 
@@ -19,14 +19,41 @@ export const testFiles = () =>
 export const filesOf = (name) =>
   testFiles().filter((file) => file === `${name}.test.js` || basename(file) === `${name}.test.js`);
 
-/** Those that take the longest first, so that in the end no process is left alone with one: they go through all views, or are long themselves. @param {readonly string[]} files */
+/** How many seconds each file took when it ran last on this machine. */
+const lastTime = join(top, '.tools', 'page-tests.json');
+/** @returns {Record<string, number>} */
+function lastSeconds() {
+  try {
+    return JSON.parse(readFileSync(lastTime, 'utf8'));
+  } catch {
+    return {};
+  }
+}
+
+/** @param {Record<string, number>} seconds */
+export const keepSeconds = (seconds) =>
+  writeFileSync(lastTime, JSON.stringify({ ...lastSeconds(), ...seconds }, null, 1));
+
+/** Those that take the longest first, so that in the end no process is left alone with one; of what never ran, those that go through all views, or are long themselves. @param {readonly string[]} files */
 function sorted(files) {
+  const seconds = lastSeconds();
   const weighed = files.map((file) => {
     const text = readFileSync(join(top, folder, file), 'utf8');
-    return { file, weight: text.length + (text.includes('/views.js') ? 1e6 : 0) };
+    return { file, weight: seconds[file] ?? text.length / 500 + (text.includes('/views.js') ? 1000 : 0) };
   });
   return weighed.sort((a, b) => b.weight - a.weight).map(({ file }) => file);
 }
+
+/** How tests of each kind are declared, in the file itself. */
+const declared = {
+  logic: /\btest\b[^}]*\} from '[./]*harness\/once\.js'/,
+  page: /\bpageTest\b/,
+  engine: /\bengineTest\b/,
+};
+
+/** The files that have tests of a kind: to load another takes its time. @param {readonly string[]} files @param {import('../tests/page/harness/once.js').Kind} kind */
+const having = (files, kind) =>
+  files.filter((file) => declared[kind].test(readFileSync(join(top, folder, file), 'utf8')));
 
 /**
  * Who runs what, side by side, for each spends much of its time waiting: what the page does in every engine alike, in the first
@@ -45,10 +72,10 @@ export function lanesOf(engines, files, late) {
   });
   // Who waits for late frames leaves the machine to others.
   const atOnce = !first ? 0 : late > 0 ? 4 : 2;
-  const shared = sorted(files);
+  const shared = sorted(having(files, 'page'));
   return [
-    { files: [...files], env: { PAGE_TESTS: 'logic' } },
+    { files: having(files, 'logic'), env: { PAGE_TESTS: 'logic' } },
     ...Array.from({ length: atOnce }, () => ({ files: shared, env: browser('page', first) })),
-    ...engines.map((engine) => ({ files: [...files], env: browser('engine', engine) })),
+    ...engines.map((engine) => ({ files: having(files, 'engine'), env: browser('engine', engine) })),
   ];
 }

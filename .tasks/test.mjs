@@ -12,7 +12,7 @@ import { parseArgs } from 'node:util';
 import { findEngines } from '../tests/page/harness/engines.js';
 import { buildCore, buildSite } from './build.mjs';
 import { absentPython, findPython, finishExamples, prepareExamples } from './examples.mjs';
-import { filesOf, lanesOf, testFiles } from './page-tests.mjs';
+import { filesOf, keepSeconds, lanesOf, testFiles } from './page-tests.mjs';
 import { Failure, lastChange, run, runPackage, step, stopSteps, task, top } from './run.mjs';
 import { installPackages, installTestTools, installTools } from './tools.mjs';
 
@@ -170,12 +170,18 @@ function testPage(...lanes) {
     together(
       lanesOf(...lanes).map(async ({ files, env }) => {
         let isDone = false;
+        /** @type {Record<string, number>} */
+        const seconds = {};
+        let [file, began] = ['', 0];
         const next = () => {
-          const file = files.shift() ?? '';
+          const now = performance.now();
+          if (file !== '') seconds[file] = (now - began) / 1000;
+          [file, began] = [files.shift() ?? '', now];
           isDone = file === '';
           return file;
         };
         await counted(process.execPath, ['--test-reporter=spec', every], { env, next });
+        if (env.PAGE_TESTS === 'page') keepSeconds(seconds);
         if (!isDone) throw new Failure('a process of tests ended before its files were done');
       }),
     ),

@@ -1,8 +1,8 @@
 // The types that the package declares are those of what it gives: the same keys, each of a kind that its type allows.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
-import { test } from 'node:test';
 import * as core from '../harness/core.js';
+import { test } from '../harness/once.js';
 
 const text = await readFile(new URL('../../../pkg/ep_locomotion.d.ts', import.meta.url), 'utf8');
 

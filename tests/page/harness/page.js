@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { setTimeout as delay } from 'node:timers/promises';
 import { Command, Name } from 'selenium-webdriver/lib/command.js';
 import { look, obstaclesOf, onceDrawn } from './inside.js';
+import { resize } from './screen.js';
 import { axeAddress } from './server.js';
 
 /** @typedef {import('selenium-webdriver').WebDriver} WebDriver */
@@ -260,25 +261,8 @@ export class Page {
    * @param {number} width
    * @param {number} height
    */
-  async resize(width, height) {
-    const window = this.driver.manage().window();
-    // The frame's size is not known beforehand: the second attempt corrects what the first one missed.
-    for (let attempt = 0; attempt < 5; attempt++) {
-      /** @type {{ width: number, height: number }} */
-      const inner = await this.driver.executeScript(() => ({ width: innerWidth, height: innerHeight }));
-      if (inner.width === width && inner.height === height) return;
-      const outer = await window.getRect();
-      await window.setRect({
-        width: outer.width + width - inner.width,
-        height: outer.height + height - inner.height,
-      });
-      // The page learns its new size later than the window, and its pictures in the frame after that.
-      await this.driver.executeScript(async (/** @type {typeof inner} */ old) => {
-        const frame = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
-        for (let i = 0; i < 30 && innerWidth === old.width && innerHeight === old.height; i++) await frame();
-        await frame();
-      }, inner);
-    }
+  resize(width, height) {
+    return resize(this, width, height);
   }
 
   /** Lets what moves on the page move so many times as fast, as long as it is open. @param {number} times */

@@ -4,7 +4,6 @@ import { readFileSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { extname, join, normalize, sep } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import axe from 'axe-core';
 import { listen, typeOf } from './http.js';
 
 const folder = '/some/course/ep/';
@@ -13,6 +12,7 @@ const blank = '/blank';
 const dist = fileURLToPath(new URL('../../../dist/', import.meta.url));
 /** Where pages find axe-core. */
 export const axeAddress = '/axe.js';
+const axe = fileURLToPath(import.meta.resolve('axe-core/axe.min.js'));
 const reports = '/policy-reports';
 
 /** What runs in every page before its own scripts. */
@@ -66,7 +66,7 @@ export async function serve(root = dist, { policy = {}, before = '', send = (_, 
   async function body(path) {
     if (path === collector) return collectorText;
     if (path === blank) return '<title>blank</title>';
-    if (path === axeAddress) return axe.source;
+    if (path === axeAddress) return readFile(axe);
     const inside = normalize(path.slice(folder.length) || 'index.html');
     if (!path.startsWith(folder) || inside.startsWith(`..${sep}`)) return null;
     const file = await readFile(join(root, inside)).catch(() => null);
@@ -77,6 +77,9 @@ export async function serve(root = dist, { policy = {}, before = '', send = (_, 
       .toString()
       .replace(/<head[^>]*>/i, `$&<script src="${collector}" data-late="${late}"></script>`);
   }
+
+  /** A name in assets/ has a hash of what is in it; in a copy of the site that may have been changed. @param {string} path */
+  const stays = (path) => path === axeAddress || (root === dist && path.includes('/assets/'));
 
   const { port, close } = await listen(async (request, response) => {
     const path = decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname);
@@ -96,11 +99,7 @@ export async function serve(root = dist, { policy = {}, before = '', send = (_, 
     response.writeHead(content === null ? 404 : 200, {
       'Content-Type': typeOf(path),
       'Content-Security-Policy': header,
-      // A name in assets/ has a hash of what is in it; in a copy of the site that may have been changed.
-      'Cache-Control':
-        content !== null && root === dist && path.includes('/assets/')
-          ? 'max-age=31536000, immutable'
-          : 'no-store',
+      'Cache-Control': content !== null && stays(path) ? 'max-age=31536000, immutable' : 'no-store',
     });
     response.end(content);
   });

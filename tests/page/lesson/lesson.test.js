@@ -169,6 +169,13 @@ const pressAll = (page, selectors) =>
 for (const [i, { name, blocks }] of steps.entries())
   pageTest(`step ${i + 1}, ${name}: every try pressed, every question answered`, async (page) => {
     await page.open(`#lesson&step=${name}`);
+    await page.until('every number in the text', () =>
+      [.../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('#lesson [data-value]'))].every(
+        (element) => element.textContent !== '–',
+      ),
+    );
+    const fits = await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth);
+    assert.equal(fits, true, `${name} is not wider than the window`);
     const title = en.titles[name];
     const triesOf = blocks.flatMap((block) => (block.kind === 'tries' ? block.tries : []));
     assert.equal(
@@ -193,15 +200,7 @@ for (const [i, { name, blocks }] of steps.entries())
     }
     // Whatever a question uncovers has its words.
     assert.doesNotMatch(await page.text('#lesson'), /undefined|NaN|\[object/);
-    await page.open(`#lesson&step=${name}`);
-    await page.until('every number in the text', () =>
-      [.../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('#lesson [data-value]'))].every(
-        (element) => element.textContent !== '–',
-      ),
-    );
     assert.deepEqual(await page.problems(), []);
-    const fits = await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth);
-    assert.equal(fits, true, `${name} is not wider than the window`);
   });
 
 pageTest('the lesson leads on and back, and a link of it opens there again', async (page) => {

@@ -54,8 +54,8 @@ pageTest('where there is no room beside the words, what they speak of stays over
 pageTest(
   'on a laptop every plane of the lesson is 300 pixels high, and the figure fits its window',
   async (page) => {
-    await page.resize(1440, 900);
     for (const { name, stage } of steps) {
+      await page.resize(1440, 900);
       await page.open(`#lesson&step=${name}`);
       const { bottom, plane, isStaged } = await page.until('the figure is drawn', () => {
         const heightOf = (/** @type {string} */ one) => {
@@ -80,13 +80,12 @@ pageTest(
         const top = () => document.querySelector('.figure')?.getBoundingClientRect().top ?? 0;
         const before = top();
         scrollTo(0, document.documentElement.scrollHeight);
-        return before - top();
+        const after = top();
+        scrollTo(0, 0);
+        return before - after;
       });
       assert.ok(slipped < 1, `${name}: at the end of the words the figure slips ${slipped} px under the bar`);
-    }
-    await page.resize(1366, 768);
-    for (const { name } of steps) {
-      await page.open(`#lesson&step=${name}`);
+      await page.resize(1366, 768);
       await page.until(`nothing of the figure of ${name} lies below a low window`, () => {
         const figure = document.querySelector('.figure');
         return document.querySelector('.prose') && figure && figure.scrollHeight <= figure.clientHeight + 1;

@@ -202,6 +202,7 @@ pageTest(
     await page.until('the part is open', () => document.getElementById('luck')?.hidden === false);
     const idle = (await written()).map(({ text }) => text).join(' ');
     assert.ok(idle.includes(en.expectedText) && idle.includes(en.generationAxis), idle);
+    await page.click('#luck-count option[value="20"]');
     await page.click('#luck-generations option[value="50"]');
     await page.click('#luck-run');
     await page.until('the seeds have run', () => document.getElementById('luck-seed')?.hidden === false);

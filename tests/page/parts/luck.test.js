@@ -273,7 +273,7 @@ pageTest('a dot names its seed; opened in the lab, that seed ends at the same J'
   for (let x = width - 60; x > 30 && met === first; x -= 5) {
     await page.driver
       .actions()
-      .move({ origin: canvas, x: Math.round(x - width / 2), y: Math.round(height / 2 - 24) })
+      .move({ origin: canvas, duration: 0, x: Math.round(x - width / 2), y: Math.round(height / 2 - 24) })
       .perform();
     met = (await readWords(page)).readout;
   }

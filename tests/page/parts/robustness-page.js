@@ -1,6 +1,7 @@
 // The map of starts in the page, and the core's own answers for it.
 import { experiment, paperGains, robustness, shown } from '../harness/core.js';
 import { read } from '../harness/reading.js';
+import { once } from '../../../www/kit/memo.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../harness/core.js').Experiment} Experiment */
@@ -26,7 +27,7 @@ export function survey(method, change = {}, reach = half) {
   return { ...runs, arrivals, percent: `${((100 * all) / runs.arrived.length).toFixed(1)} %` };
 }
 
-export const ep = survey('ep');
+export const ep = once(() => survey('ep'));
 
 /** @param {number} column @param {number} row */
 export const cellOf = (column, row) => row * count + column;
@@ -49,7 +50,7 @@ export function worst(from, cell) {
   return Array.from({ length: headings }, (_, i) => i).reduce((a, b) => (rank(b) > rank(a) ? b : a));
 }
 
-/** Waits until the fine map of the gains with this name, and that of those compared with it, are there. @param {Page} page @param {string} name */
+/** Waits until the fine map of the gains with this name is there. @param {Page} page @param {string} name */
 export function finished(page, name) {
   return page.until(
     `the map of the ${name} is complete`,
@@ -57,19 +58,22 @@ export function finished(page, name) {
       await new Promise((resolve) => requestAnimationFrame(resolve));
       const text = (/** @type {string} */ id) =>
         document.getElementById(`robustness-${id}`)?.textContent?.replace(/\s/g, ' ') ?? '';
-      return (
-        text('summary').includes(driver) && text('note').startsWith(starts) && !text('rival').includes('…')
-      );
+      return text('summary').includes(driver) && text('note').startsWith(starts);
     },
     name,
     '118 098 starts in',
   );
 }
 
+/** Waits until the gains that are compared with those of the map have theirs. @param {Page} page */
+export const compared = (page) =>
+  page.until('the other gains have their share', () =>
+    /\d/.test(document.getElementById('robustness-rival')?.textContent ?? ''),
+  );
+
 /** Opens the map with the paper's gains by EP. @param {Page} page */
 export async function openMap(page) {
-  await page.click('#page-robustness');
-  await page.click('#drives-paper-ep');
+  await page.open('#robustness&v=1&drives=paper-ep');
   await finished(page, 'paper’s EP gains');
 }
 

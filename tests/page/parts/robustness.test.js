@@ -5,6 +5,7 @@ import { middleOf, read, readEvolution } from '../harness/reading.js';
 import {
   cellOf,
   clickCell,
+  compared,
   count,
   degrees,
   driveOf,
@@ -22,7 +23,8 @@ import {
 
 pageTest('the map says what the core says of the same starts', async (page) => {
   await openMap(page);
-  assert.equal(await page.text('#robustness-share'), ep.percent);
+  assert.equal(await page.text('#robustness-share'), ep().percent);
+  await compared(page);
   assert.equal(
     await page.text('#robustness-rival'),
     `${survey('arbitrary').percent} with the paper’s arbitrary gains`,
@@ -32,7 +34,7 @@ pageTest('the map says what the core says of the same starts', async (page) => {
   const cells = [];
   for (let row = 1; row < count; row += 4)
     for (let column = 1; column < count; column += 4) {
-      const arrivals = ep.arrivals(cellOf(column, row));
+      const arrivals = ep().arrivals(cellOf(column, row));
       const near = Math.hypot(column - 40, row - 40) < 12 || Math.hypot(column - 20, row - 20) < 16;
       if (!near && (arrivals === 0 || arrivals === headings))
         cells.push({ arrivals, ...(await pointOf(page, column, row)) });
@@ -59,35 +61,37 @@ pageTest('a click on a cell lets the robot drive from there, and evolution stays
   await page.click('#one-generation');
   await page.click('#one-generation');
   const before = await readEvolution(page);
-  await openMap(page);
+  await page.click('#page-robustness');
+  await page.click('#drives-paper-ep');
+  await finished(page, 'paper’s EP gains');
   const own = await readDrive(page);
 
   // None arrives from (4.00, 1.00): the worst comes first, and the next click takes the next heading.
   const fails = cellOf(60, 30);
-  const first = worst(ep, fails);
+  const first = worst(ep(), fails);
   await clickCell(page, 60, 30);
   assert.deepEqual(await readDrive(page), {
     start: { x: 4, y: 1, degrees: degrees(first) },
-    ...driveOf(ep, fails, first),
+    ...driveOf(ep(), fails, first),
   });
   await clickCell(page, 60, 30);
   const second = (first + 1) % headings;
   assert.deepEqual(await readDrive(page), {
     start: { x: 4, y: 1, degrees: degrees(second) },
-    ...driveOf(ep, fails, second),
+    ...driveOf(ep(), fails, second),
   });
 
   // Some arrive from (0.50, 0.50).
   const mixed = cellOf(25, 25);
-  assert.ok(ep.arrivals(mixed) > 0 && ep.arrivals(mixed) < headings);
+  assert.ok(ep().arrivals(mixed) > 0 && ep().arrivals(mixed) < headings);
   await clickCell(page, 25, 25);
   assert.deepEqual(await readDrive(page), {
-    start: { x: 0.5, y: 0.5, degrees: degrees(worst(ep, mixed)) },
-    ...driveOf(ep, mixed, worst(ep, mixed)),
+    start: { x: 0.5, y: 0.5, degrees: degrees(worst(ep(), mixed)) },
+    ...driveOf(ep(), mixed, worst(ep(), mixed)),
   });
   assert.match(
     await readout(page),
-    new RegExp(`^x 0.50 m, y 0.50 m: ${ep.arrivals(mixed)} of 18 headings arrive`),
+    new RegExp(`^x 0.50 m, y 0.50 m: ${ep().arrivals(mixed)} of 18 headings arrive`),
   );
 
   await page.click('#restore-postures');
@@ -121,7 +125,7 @@ pageTest('the keyboard moves the cursor from cell to cell and lets the robot dri
   assert.match(
     resting,
     new RegExp(
-      `^You watch the start at x 0.00 m, y 0.00 m, heading 0°: .* ${ep.arrivals(cellOf(20, 20))} of 18 headings`,
+      `^You watch the start at x 0.00 m, y 0.00 m, heading 0°: .* ${ep().arrivals(cellOf(20, 20))} of 18 headings`,
     ),
   );
   await page.focus('#robustness-map');
@@ -129,15 +133,15 @@ pageTest('the keyboard moves the cursor from cell to cell and lets the robot dri
   const keys = page.driver.actions().keyDown(Key.SHIFT);
   await keys.keyDown(Key.ARROW_RIGHT).keyUp(Key.ARROW_RIGHT).keyUp(Key.SHIFT).perform();
   const cell = cellOf(29, 18);
-  const some = ep.arrivals(cell);
+  const some = ep().arrivals(cell);
   assert.ok(some > 0 && some < headings, `${some} arrive`);
   assert.match(await readout(page), new RegExp(`^x 0.90 m, y −0.20 m: ${some} of 18 headings`));
 
   await page.press(Key.ENTER);
-  const heading = worst(ep, cell);
+  const heading = worst(ep(), cell);
   assert.deepEqual(await readDrive(page), {
     start: { x: 0.9, y: -0.2, degrees: degrees(heading) },
-    ...driveOf(ep, cell, heading),
+    ...driveOf(ep(), cell, heading),
   });
   await page.press(Key.ESCAPE);
   assert.match(await readout(page), /^You watch the start at x 0.90 m, y −0.20 m/);
@@ -151,7 +155,10 @@ engineTest('the dial chooses one heading, of which the map shows the drives', as
   await clickCell(page, 25, 25);
   const cell = cellOf(25, 25);
   const { start, ...drive } = await readDrive(page);
-  assert.deepEqual({ start, drive }, { start: { x: 0.5, y: 0.5, degrees: 60 }, drive: driveOf(ep, cell, 3) });
+  assert.deepEqual(
+    { start, drive },
+    { start: { x: 0.5, y: 0.5, degrees: 60 }, drive: driveOf(ep(), cell, 3) },
+  );
   assert.match(await readout(page), /^x 0.50 m, y 0.50 m, heading 60°: .* You watch it\.$/);
 
   // Up on the dial: 90° lies between two headings, 80° beside it.
@@ -198,6 +205,7 @@ pageTest('after the goal has been dragged, the map is the one for where it was l
 
 pageTest('when the workers fail, the last map stays with its name, and the page says why', async (page) => {
   await openMap(page);
+  await compared(page);
   await page.evaluate(() => {
     Worker.prototype.postMessage = () => {
       throw new Error('no room for it');
@@ -207,6 +215,6 @@ pageTest('when the workers fail, the last map stays with its name, and the page 
   await page.until('the page says why', () =>
     document.getElementById('robustness-note')?.innerText.includes('no room for it'),
   );
-  assert.equal(await page.text('#robustness-share'), ep.percent);
+  assert.equal(await page.text('#robustness-share'), ep().percent);
   assert.equal(await page.text('#robustness-summary'), 'arrive with the paper’s EP gains');
 });

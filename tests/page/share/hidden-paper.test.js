@@ -67,7 +67,7 @@ pageTest('hidden gains of the paper stand in no view, no table, no file and no c
   await page.open('#lab&v=1&drives=paper-ep');
   assert.ok(tellsPaper(await shownOn(page)));
   for (const name of pageNames) {
-    await page.open(`#${name}&v=1&seed=7&generation=2&hide=paper`);
+    await page.open(`#${name}&v=1&seed=7&generation=2&runs=20&length=50&evolve=50&hide=paper`);
     assert.equal(tellsPaper(await shownOn(page)), null, name);
     // The page's own checks tell them.
     await press(page, '#keys-button');

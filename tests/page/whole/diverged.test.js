@@ -24,7 +24,7 @@ for (const [language, run] of runs)
     const found = [];
     await page.open(`#lab&v=1&lang=${language}`);
     for (const view of views) {
-      const more = `lang=${language}&limits.speed=off&limits.turnRate=off&drives=hand&${run}`;
+      const more = `lang=${language}&limits.speed=off&limits.turnRate=off&horizon=2&drives=hand&${run}`;
       await follow(page, `${view}${view.includes('v=1') ? '' : '&v=1'}&${more}`);
       const nonsense = await page.evaluate(async () => {
         const scrub = /** @type {HTMLInputElement} */ (document.getElementById('scrub'));

@@ -1,29 +1,29 @@
-// The page on another screen, in Chromium, and what is looked at there.
-import { Command } from 'selenium-webdriver/lib/command.js';
+// The page on another screen, and what is looked at there.
+import { setScreen, tellChromium } from '../harness/screen.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {readonly [number, number]} Size */
 
-/** What can be told to Chromium alone. @param {Page} page @param {string} cmd @param {object} params */
-function tell(page, cmd, params) {
-  const executor = /** @type {any} */ (page.driver.getExecutor());
-  executor.defineCommand('tellChromium', 'POST', '/session/:sessionId/goog/cdp/execute');
-  return page.driver.execute(new Command('tellChromium').setParameters({ cmd, params }));
-}
+/** What each page was last told, as text. @type {WeakMap<Page, string>} */
+const mediaOf = new WeakMap();
 
-/** @param {Page} page @param {Size} size @param {Record<string, string>} [media] */
-export async function surround(page, [width, height], media = {}) {
-  const screen = { width, height, deviceScaleFactor: 1, mobile: false };
-  await tell(page, 'Emulation.setDeviceMetricsOverride', screen);
+/** @param {Page} page @param {Record<string, string>} media */
+async function setMedia(page, media) {
   const features = Object.entries(media).map(([name, value]) => ({ name, value }));
-  await tell(page, 'Emulation.setEmulatedMedia', { features });
+  const text = JSON.stringify(features);
+  if ((mediaOf.get(page) ?? '[]') === text) return;
+  mediaOf.set(page, text);
+  await tellChromium(page, 'Emulation.setEmulatedMedia', { features });
 }
 
-/** As it was. @param {Page} page */
-export async function endSurrounding(page) {
-  await tell(page, 'Emulation.clearDeviceMetricsOverride', {});
-  await tell(page, 'Emulation.setEmulatedMedia', { features: [] });
+/** In Chromium. @param {Page} page @param {Size} size @param {Record<string, string>} [media] */
+export async function surround(page, [width, height], media = {}) {
+  await setScreen(page, width, height);
+  await setMedia(page, media);
 }
+
+/** As it was; each test begins with a size of its own. @param {Page} page */
+export const endSurrounding = (page) => setMedia(page, {});
 
 /** Follows a link without loading the page again. @param {Page} page @param {string} link */
 export const follow = (page, link) =>
@@ -33,3 +33,11 @@ export const follow = (page, link) =>
     await opened;
     for (let i = 0; i < 2; i += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
   }, `#${link}`);
+
+/** How far the page can be scrolled, to the right and down, once it has its new size. @param {Page} page */
+export const excess = (page) =>
+  page.evaluate(async () => {
+    for (let frame = 0; frame < 2; frame++) await new Promise((resolve) => requestAnimationFrame(resolve));
+    const { scrollWidth, scrollHeight } = document.documentElement;
+    return [scrollWidth - innerWidth, scrollHeight - innerHeight];
+  });

@@ -18,10 +18,12 @@ export const overflowing = (page, where) =>
         for (let i = 0; i < 3; i += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
         lengthen(own.longer);
         // Pictures follow the new size within some frames.
-        for (let i = 0; i < 30 && [...whatHasNoPlace(width)].length > 0; i += 1)
+        let found = [...whatHasNoPlace(width)];
+        for (let i = 0; i < 30 && found.length > 0; i += 1) {
           await new Promise((resolve) => requestAnimationFrame(resolve));
-        for (const problem of whatHasNoPlace(width))
-          problems.push(`${place} at ${width} × ${height}: ${problem}`);
+          found = [...whatHasNoPlace(width)];
+        }
+        for (const problem of found) problems.push(`${place} at ${width} × ${height}: ${problem}`);
       }
       return problems;
 
@@ -50,7 +52,8 @@ export const overflowing = (page, where) =>
           const name = last.map(({ tagName, id, className }) => `${tagName}#${id}.${className}`).join(', ');
           yield `the page is ${whole} px wide: ${name}`;
         }
-        const scrolling = 'nav, .generation-scroll, .curves-scroll, .luck-scroll, .table-scroll';
+        const scrolling =
+          'nav, .generation-scroll, .curves-scroll, .luck-scroll, .lesson-scroll, .table-scroll';
         for (const face of document.querySelectorAll('button, .segmented span, nav a, #language')) {
           if (!face.checkVisibility() || !face.textContent?.trim()) continue;
           // What is only read aloud has no place to find.

@@ -1,0 +1,57 @@
+// Where the reader has letters twice as large.
+import assert from 'node:assert/strict';
+import { pageTest } from '../harness/browsers.js';
+import { excess, follow } from './surround.js';
+import { views } from './views.js';
+
+pageTest('with letters twice as large nothing leads out of a telephone’s width', async (page) => {
+  await page.resize(390, 844);
+  await page.open();
+  await page.evaluate(() => {
+    document.documentElement.style.fontSize = '200%';
+  });
+  for (const view of views) {
+    await follow(page, view);
+    const [aside] = await excess(page);
+    assert.ok(aside <= 0, `${view}: ${aside}`);
+  }
+});
+
+pageTest('with letters twice as large nothing lies on anything else beside the plane', async (page) => {
+  await page.resize(1280, 800);
+  await page.open('#training');
+  await page.evaluate(() => {
+    document.documentElement.style.fontSize = '200%';
+  });
+  const [aside] = await excess(page);
+  assert.ok(aside <= 0, `Training: ${aside} px`);
+  const overlaps = await page.evaluate(() => {
+    const boxes = ['head', 'controls', 'finding', 'table', 'pictures'].flatMap((name) => {
+      const selector = name === 'head' ? '.training > .heading' : `.training-${name}`;
+      const element = document.querySelector(selector);
+      const inner = name === 'pictures' ? [...(element?.children ?? [])] : [];
+      return [element, ...inner].map((one) => ({ name, box: one?.getBoundingClientRect() }));
+    });
+    return boxes.flatMap((a, i) =>
+      boxes.slice(i + 1).flatMap((b) => {
+        if (a.name === b.name || !a.box || !b.box) return [];
+        const wide = Math.min(a.box.right, b.box.right) - Math.max(a.box.left, b.box.left);
+        const high = Math.min(a.box.bottom, b.box.bottom) - Math.max(a.box.top, b.box.top);
+        return wide > 1 && high > 1 ? `${a.name} on ${b.name}` : [];
+      }),
+    );
+  });
+  assert.deepEqual(overlaps, []);
+});
+
+pageTest('with letters twice as large no choice of the contest cuts its words', async (page) => {
+  await page.resize(1280, 800);
+  await page.open('#luck&luck=contest');
+  const cut = await page.evaluate(() => {
+    document.documentElement.style.fontSize = '200%';
+    const selects = [...document.querySelectorAll('.contestants select')];
+    return selects.map((one) => one.clientHeight / Number.parseFloat(getComputedStyle(one).fontSize));
+  });
+  assert.ok(cut.length > 0);
+  for (const lines of cut) assert.ok(lines >= 1.15, `${lines} of a letter’s height`);
+});
