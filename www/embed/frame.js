@@ -19,16 +19,17 @@ export const mostHeight = 5000;
 /** @param {unknown} height */
 export const isHeight = (height) =>
   Number.isInteger(height) && Number(height) >= leastHeight && Number(height) <= mostHeight;
-/** How high a figure looks best for its width, and the most that helps it. @typedef {readonly [share: number, most: number]} Shape */
+/** How high a figure looks best for its width, the most that helps it, and the least. @typedef {readonly [share: number, most: number, least?: number]} Shape */
 /** @type {Shape} */
 const ofLab = [0.64, 620];
-/** Its words scroll beside the figure, which stays in sight. @type {Shape} */
-const ofLesson = [1.2, 720];
+/** Its words scroll beside the figure, which stays in sight; on a telephone under it, where some have to be seen. @type {Shape} */
+const ofLesson = [1.2, 720, 640];
 
 /** The height that a figure asks its host for. @param {readonly { name: string, figure: Shape }[]} parts @param {string} page @param {number} lesson @param {number} width */
 export function wantedHeight(parts, page, lesson, width) {
-  const [share, most] = lesson > 0 ? ofLesson : (parts.find(({ name }) => name === page)?.figure ?? ofLab);
-  return Math.round(Math.min(most, Math.max(leastHeight, share * width)));
+  const shape = lesson > 0 ? ofLesson : (parts.find(({ name }) => name === page)?.figure ?? ofLab);
+  const [share, most, least = leastHeight] = shape;
+  return Math.round(Math.min(most, Math.max(least, share * width)));
 }
 
 /** To the element that holds it: that it is one, and on its way, however slow the network is. */

@@ -10,7 +10,10 @@ export function followSurroundings(actions, show) {
     show();
   };
   const plane = byId('plane');
-  followSize(plane, actions.setSize);
+  followSize(plane, (size) => {
+    setOnPaper(plane, size);
+    actions.setSize(size);
+  });
   // At once, because a printer does not wait for the next frame.
   for (const media of ['(prefers-color-scheme: dark)', 'print'])
     matchMedia(media).addEventListener('change', redraw);
@@ -26,4 +29,14 @@ export function followSurroundings(actions, show) {
         picture.toggleAttribute('data-unseen', prints && !picture.checkVisibility());
       redraw();
     });
+}
+
+/** On paper, in pixels, it is no wider than the sheet, and leaves room on the first one for what stands above it. */
+const paper = { width: 638, height: 420 };
+
+/** All that lies on the plane shrinks with it where it is larger. @param {HTMLElement} plane @param {{ width: number, height: number }} size */
+function setOnPaper({ style }, { width, height }) {
+  style.setProperty('--own-width', `${width}px`);
+  style.setProperty('--own-height', `${height}px`);
+  style.setProperty('--on-paper', String(Math.min(1, paper.width / width, paper.height / height)));
 }

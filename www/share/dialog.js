@@ -8,7 +8,6 @@ import { live } from 'lit-html/directives/live.js';
 import { whenThere } from '../core/pending.js';
 import { copy } from '../kit/copy.js';
 import { download } from '../kit/download.js';
-import { addressOf } from '../kit/host.js';
 import { choicesOf } from '../kit/segmented.js';
 import { selectAll } from '../kit/templates.js';
 import { caughtUp } from '../run/state.js';
@@ -43,7 +42,7 @@ export function createKeep(tools, sheet) {
   let pictures = [];
 
   const linkNow = () => links.linkOf(caughtUp(store.get()), engine.experiment);
-  const address = () => addressOf(location.href, linkNow(), false);
+  const address = () => handedAddress(linkNow());
   const say = (/** @type {string} */ text) => {
     status = text;
     draw();
@@ -89,7 +88,7 @@ export function createKeep(tools, sheet) {
     open();
   };
   const on = {
-    ...createSaving(tools, sheet.dialog, () => handedAddress(linkNow()), say),
+    ...createSaving(tools, sheet.dialog, address, say),
     /** @param {string} value */
     chooseFrame(value) {
       frame = frames.find((one) => one.value === value) ?? frame;
@@ -179,7 +178,7 @@ function createSaving(tools, dialog, address, say) {
 /** @param {{ address: string, frame: typeof frames[number], frameText: string, pictures: readonly Picture[], status: string, park: ReturnType<typeof parkedOf> | null }} shown @param {Events} on */
 const contentOf = ({ address, frame, frameText, pictures, status, park }, on) => html`
   <h3>${texts.keepLink}</h3>
-  <p class="muted">${park ? texts.keepParkHelp : texts.keepLinkHelp}</p>
+  <p class="muted">${isOnDisk() ? texts.keepLinkOnDisk : park ? texts.keepParkHelp : texts.keepLinkHelp}</p>
   <div class="bar">
     <input id="keep-link" type="text" readonly aria-label=${texts.keepLink} .value=${live(address)} @focus=${selectAll}>
     <button id="keep-copy" type="button" class="primary" @click=${on.copyLink}>${texts.keepCopy}</button>

@@ -50,7 +50,7 @@ export function createKeys(openChecks) {
     else if (areAllowed) {
       const found = words.single.find(([key]) => key.toLowerCase() === letterOf(event));
       const button = found && buttonOf(found);
-      if (!button || (scrolls(found) && event.target !== document.body)) return;
+      if (!button || event.defaultPrevented || (scrolls(found) && isOfOthers(event))) return;
       if (scrolls(found)) event.preventDefault();
       button.click();
     }
@@ -62,11 +62,15 @@ export function createKeys(openChecks) {
 /** What is no letter scrolls, as everywhere, where there is more of the page above or below. @param {Row} row */
 const scrolls = ([key]) => key.length > 1;
 
-/** What a key presses: what is not in sight is not pressed. @param {Row} row */
-function buttonOf(row) {
+/** Whether such a key still moves the page, or what has the focus. @param {KeyboardEvent} event */
+function isOfOthers({ key, target }) {
   const { scrollHeight } = document.documentElement;
-  if (scrolls(row) && scrollHeight > innerHeight) return undefined;
-  const [, , id] = row;
+  const isAtEnd = key === 'PageUp' ? scrollY < 1 : scrollY + innerHeight > scrollHeight - 1;
+  return !isAtEnd || !(target instanceof Element && target.matches('body, button, a'));
+}
+
+/** What a key presses: what is not in sight is not pressed. @param {Row} row */
+function buttonOf([, , id]) {
   /** @type {NodeListOf<HTMLElement>} */
   const all = document.querySelectorAll(`#${id}, [data-key-of="${id}"]`);
   return [...all].find((button) => button.checkVisibility() && !button.closest('[inert]'));

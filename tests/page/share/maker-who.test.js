@@ -1,4 +1,4 @@
-// For whom an exercise is made.
+// For whom an exercise is made, and what of it is in sight and told meanwhile.
 import assert from 'node:assert/strict';
 import { Key, pageTest } from '../harness/browsers.js';
 import { openMaker } from './making.js';
@@ -31,3 +31,34 @@ pageTest(
     assert.match((await values('keep-link'))[0], /\/#lab&v=1&aim=J%3C8&who=s4711$/);
   },
 );
+
+pageTest('what hands an exercise out is in sight on a laptop, whatever its line takes', async (page) => {
+  await page.resize(1366, 768);
+  for (const [link, wanted, id] of [
+    ['#park&v=1', '', 'maker-to-lab'],
+    ['#lab&v=1', '&aim=J%3C7', 'maker-status'],
+  ]) {
+    await openMaker(page, link + wanted);
+    await page.press(...'Park the robot.');
+    await page.until('its foot', (name) => document.getElementById(name), id);
+    const below = await page.evaluate((name) => {
+      const foot = document.getElementById(name)?.closest('.maker-foot');
+      return Number(foot?.getBoundingClientRect().bottom) - innerHeight;
+    }, id);
+    assert.ok(below <= 0, `${link}: ${below} px below the window`);
+  }
+});
+
+pageTest('where many seeds could be tried within a budget of drives, it is told', async (page) => {
+  const isTold = () => page.evaluate(() => document.getElementById('maker-seeds')?.innerText ?? '');
+  await openMaker(page, '#lab&v=1&aim=J%3C7');
+  assert.equal(await isTold(), '');
+  await openMaker(page, '#lab&v=1&aim=J%3C7;drives%3C%3D300');
+  assert.match(await isTold(), /as long as the seed is free/);
+  await page.click('#maker-seed-locked');
+  assert.equal(await isTold(), '');
+  await page.click('#maker-seed-free');
+  assert.match(await isTold(), /as long as the seed is free/);
+  await page.click('#maker-run-hidden');
+  assert.equal(await isTold(), '');
+});

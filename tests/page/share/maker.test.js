@@ -193,6 +193,10 @@ engineTest('from the one file on a disk the figure is shown, and the package wri
     await page.until('the page is ready', () => document.documentElement.dataset.ready);
     await page.click('#keep-button');
     await page.until('Share is there', () => document.getElementById('keep-exercise'));
+    // A path on this disk is none on another.
+    const handed = () => /** @type {HTMLInputElement} */ (document.getElementById('keep-link')).value;
+    assert.match(await page.evaluate(handed), /^ep-locomotion\.html#lab&v=1&drives=hand/);
+    assert.match(await page.text('#keep'), /Whoever has the file opens this very run/);
     await page.click('#keep-exercise');
     await page.until('the maker is open', () => document.getElementById('maker-task')?.checkVisibility());
     await page.press(...'Park.');
@@ -202,7 +206,6 @@ engineTest('from the one file on a disk the figure is shown, and the package wri
       await page.until('it is the exercise', () => document.getElementById('task')?.textContent === 'Park.');
       await page.until('it can be handed in', () => document.getElementById('hand-in'));
     });
-    // Whose address is none on another disk.
     assert.match(await page.text('#maker-disk'), /students need the file too/);
     await page.click('#maker-scorm');
     await page.until('it asks for its own file', () => document.getElementById('maker-scorm-file'));

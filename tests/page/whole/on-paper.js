@@ -1,6 +1,11 @@
 // A page as it is on paper, and what is drawn there.
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
+/** About the width of an A4 sheet between its margins. */
+export const paper = 680;
+/** As high as a sheet of Letter between its margins, the lower of the two. */
+export const sheet = 960;
+
 /** From now on the rules for paper hold on the screen, where one can look. */
 const turnToPaper = () => {
   dispatchEvent(new Event('beforeprint'));

@@ -4,14 +4,9 @@ import { lab } from '../../../www/words/index.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
 import { samples } from '../parts/samples.js';
 import { bred, counted, slide } from '../parts/parking.js';
-import { asOnPaper, canvasesIn, printed } from './on-paper.js';
+import { asOnPaper, canvasesIn, paper, printed, sheet } from './on-paper.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
-
-/** About the width of an A4 sheet between its margins. */
-const paper = 680;
-/** As high as a sheet of Letter between its margins, the lower of the two. */
-const sheet = 960;
 
 /** Of those parts of which more is to be seen than their names open. @type {Readonly<Record<string, readonly string[]>>} */
 const more = {
@@ -176,6 +171,10 @@ pageTest(
         return plane && { plane, bowl, letters, asked, terms };
       });
       assert.ok(seen.plane.height > 100, `${step}: the plane is ${seen.plane.height} px high`);
+      assert.equal(
+        await page.evaluate(() => document.querySelector('.lesson-way')?.checkVisibility()),
+        false,
+      );
       if (step !== 'stability') continue;
       const { bowl, letters, asked, terms } = seen;
       assert.ok(bowl && letters && asked && terms, JSON.stringify(seen));

@@ -6,6 +6,7 @@ import { html, nothing } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { options, valueIn } from '../../kit/templates.js';
 import { aimText, scaleText } from '../../link/exercise.js';
+import { wayOf } from '../../run/exercise.js';
 import { variedNames } from '../../run/variant.js';
 import { WrongField, asked, heads, isTurned, pointIds } from './asked.js';
 import words from '../words/index.js';
@@ -86,6 +87,10 @@ function field(id, wrong, label, value, onInput) {
   aria-invalid=${String(isWrong)} aria-describedby=${isWrong ? 'maker-aim-error' : nothing} .value=${live(value)} @input=${(/** @type {Event} */ event) => onInput(valueIn(event))}>`;
 }
 
+/** Whether one may evolve with many seeds, of each of which alone the drives are counted. @param {Exercise} exercise */
+const isBySeeds = (exercise) =>
+  exercise.aim?.drives && wayOf(exercise, 'run') === 'free' && wayOf(exercise, 'seed') === 'free';
+
 /**
  * @param {Typed} typed @param {Exercise} exercise @param {unknown} note
  * @param {{ type: (patch: Partial<Fields>) => void, kind: (event: Event) => void, points: (index: number, text: string) => void, vary: (name: Varied) => void }} on
@@ -116,6 +121,7 @@ function fieldsHtml({ fields: { kind, value, drives, points }, error, wrong }, e
               ${field(pointIds[at - 1], wrong, words.pointsAtLabel(i), points[at - 1], (text) => on.points(at - 1, text))}`,
           )}</div>`
     }
+    ${isBySeeds(exercise) ? html`<p id="maker-seeds" class="muted">${texts.makerSeeds}</p>` : nothing}
     <p id="maker-aim-error" class="field-error" role="alert" .hidden=${error === ''}>${error}</p>
     ${error === '' && isTurned(exercise) ? html`<p id="maker-turned" class="muted">${texts.makerTurned}</p>` : nothing}
     <fieldset class="maker-vary"><legend class="maker-label">${texts.makerVary}</legend>${variedNames.map(

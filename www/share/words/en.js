@@ -6,6 +6,8 @@ export * from './common.js';
 export const texts = {
   keepLink: 'Link',
   keepLinkHelp: 'Opens this very run anywhere: the same robots, the same evolution, the same view.',
+  keepLinkOnDisk:
+    'This page is a file on your disk. Whoever has the file opens this very run by adding what follows the # behind its address.',
   keepCopy: 'Copy link',
   keepParkHelp:
     'Opens Park with the sliders as they are, for whoever wants to try. What evolution found is not in it.',
@@ -59,6 +61,8 @@ export const texts = {
   makerVary: 'Drawn for each student from their number',
   makerUneven:
     'What J can be reached differs then from student to student. Ask for a J that all can reach, or for parking.',
+  makerSeeds:
+    'Each evolution is counted by itself: as long as the seed is free, the best of many counts as one.',
   makerWrong: 'Nothing is copied or saved as long as a field above is wrong.',
   makerTurned: 'The better result has fewer points here: exchange the two values if that is not meant.',
   makerPaperInLesson: 'The lesson tells the paper’s gains: it is hidden with them.',

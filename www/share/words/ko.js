@@ -6,6 +6,8 @@ export * from './common.js';
 export const texts = {
   keepLink: '링크',
   keepLinkHelp: '어디서나 바로 이 실험을 엽니다. 로봇도 진화도 화면도 같습니다.',
+  keepLinkOnDisk:
+    '이 페이지는 이 컴퓨터의 디스크에 있는 파일입니다. 같은 파일이 있는 사람은 파일 주소 뒤에 #부터 붙여서 바로 이 실험을 엽니다.',
   keepCopy: '링크 복사',
   keepParkHelp:
     '누구나 이어서 해 볼 수 있도록 지금 슬라이더 값으로 “주차” 화면을 엽니다. 진화가 찾은 것은 담기지 않습니다.',
@@ -61,6 +63,8 @@ export const texts = {
   makerVary: '학번에 따라 학생마다 다르게',
   makerUneven:
     '그러면 도달할 수 있는 J가 학생마다 다릅니다. 모두가 도달할 수 있는 J로 하거나 주차를 기준으로 하십시오.',
+  makerSeeds:
+    '주행은 진화마다 따로 셉니다. 시드가 잠겨 있지 않으면 여러 번 진화한 것 가운데 가장 좋은 것도 한 번의 진화로 셉니다.',
   makerWrong: '위의 칸을 바로잡으면 복사하거나 저장할 수 있습니다.',
   makerTurned: '더 좋은 결과의 점수가 더 낮습니다. 의도한 것이 아니면 두 값을 서로 바꾸십시오.',
   makerPaperInLesson: '수업에는 논문의 이득이 나오므로 함께 숨깁니다.',

@@ -7,14 +7,14 @@ export const texts = {
   keysEverywhere: 'Every button, slider and picture is also reached by Tab.',
 };
 
-/** Single keys: what they press. Those of a presenter’s clicker do where nothing has the focus. */
+/** Single keys: what they press. Those of a presenter’s clicker do where they move nothing else. */
 /** @type {readonly (readonly [key: string, meaning: string, id: string])[]} */
 export const single = [
   ['r', 'run evolution, or pause it', 'run'],
   ['n', '1 generation', 'one-generation'],
   ['b', '1 generation back', 'one-back'],
   ['p', 'let the robots drive, or hold them', 'play'],
-  ['PageDown', 'the next phase of the generation, where nothing has the focus', 'generation-next'],
+  ['PageDown', 'the next phase of the generation, where the page scrolls no further', 'generation-next'],
   ['PageUp', 'the phase before', 'generation-back'],
   ['s', 'settings', 'settings-button'],
 ];

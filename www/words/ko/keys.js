@@ -13,7 +13,7 @@ export const single = [
   ['n', '한 세대 진행', 'one-generation'],
   ['b', '한 세대 뒤로', 'one-back'],
   ['p', '로봇 주행 또는 멈춤', 'play'],
-  ['PageDown', '세대의 다음 단계(선택한 것이 없을 때)', 'generation-next'],
+  ['PageDown', '세대의 다음 단계(페이지가 더 내려가지 않을 때)', 'generation-next'],
   ['PageUp', '이전 단계', 'generation-back'],
   ['s', '설정', 'settings-button'],
 ];

@@ -1,0 +1,46 @@
+// The plane on paper: whole, no larger than on the screen, with room for what stands around it.
+import assert from 'node:assert/strict';
+import { pageTest } from '../harness/browsers.js';
+import { asOnPaper, paper, printed, sheet } from './on-paper.js';
+
+pageTest('on paper all that lies on the plane lies where it lay, and no larger', async (page) => {
+  for (const [width, height] of [
+    [1280, 800],
+    [2560, 1440],
+  ]) {
+    await page.resize(width, height);
+    await page.open('#lesson&step=law');
+    await page.until('the error', () => document.querySelector('#error-posture .error-label'));
+    /** Where the name of x_e stands on the canvas, in shares of it, and how large both are. */
+    const look = () => {
+      const [canvas, marks, name] = ['#plane-paths', '#error-posture svg', '#error-posture .error-label'].map(
+        (one) => /** @type {Element} */ (document.querySelector(one)).getBoundingClientRect(),
+      );
+      return {
+        at: [(name.left - canvas.left) / canvas.width, (name.top - canvas.top) / canvas.height],
+        apart: Math.hypot(marks.left - canvas.left, marks.right - canvas.right, marks.bottom - canvas.bottom),
+        wide: canvas.width,
+        high: canvas.height,
+        postures: document.getElementById('postures')?.checkVisibility(),
+      };
+    };
+    const before = await page.evaluate(look);
+    const after = await printed(page, look);
+    assert.ok(after.apart < 1, `${after.apart} px apart`);
+    for (const axis of [0, 1]) assert.ok(Math.abs(after.at[axis] - before.at[axis]) < 0.005, `${after.at}`);
+    assert.ok(after.wide <= Math.min(640, before.wide) + 1 && after.high < 430, JSON.stringify(after));
+    assert.equal(after.postures, after.wide > 440);
+  }
+});
+
+pageTest('the lab is one sheet, and the lecturers’ sheets come without it', async (page) => {
+  await page.open('#lab&v=1&generation=20');
+  await asOnPaper(page);
+  await page.resize(paper, 900);
+  const high = await page.evaluate(() => document.documentElement.scrollHeight);
+  assert.ok(high <= sheet, `${high} px of ${sheet}`);
+  await page.open('#lesson&step=lecturers');
+  await page.until('its sheets', () => document.querySelector('.sheet-list'));
+  await asOnPaper(page);
+  assert.equal(await page.evaluate(() => document.getElementById('plane')?.checkVisibility()), false);
+});
