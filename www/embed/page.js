@@ -1,7 +1,7 @@
 // The page as a figure in a frame of another page: its foot, the height it asks for, and what it says to its host.
 /** @import { State } from '../run/state.js' */
-import { byId, create, svg } from '../kit/elements.js';
-import { noExercise } from '../run/exercise.js';
+import { byId, create, svg, write } from '../kit/elements.js';
+import { isEmpty, noExercise } from '../run/exercise.js';
 import { caughtUp } from '../run/state.js';
 import { watch } from '../kit/memo.js';
 import { embed as words, texts } from '../words/index.js';
@@ -66,7 +66,10 @@ export function createEmbed(parts) {
 
     /** @param {State} state */
     draw(state) {
-      if (shapeChanged(state.page, state.lesson, state.exercise)) tellHeight();
+      if (shapeChanged(state.page, state.lesson, state.exercise)) {
+        tellHeight();
+        foot.name(isEmpty(state.exercise) ? words.openFull : words.openFree);
+      }
       messages.announce();
       if (!state.evolving && !state.dragging && linkChanged(state.experiment, state.generation, state.page))
         foot.follow();
@@ -83,7 +86,7 @@ function createFoot(fullAddress) {
   for (const type of ['pointerdown', 'focus', 'click']) link.addEventListener(type, follow);
   const element = create('footer', 'embed-foot', create('h1', '', texts.pageTitle), link);
   if (document.fullscreenEnabled) element.append(createFullScreen());
-  return { element, follow };
+  return { element, follow, name: (/** @type {string} */ text) => write(link, text) };
 }
 
 const icons = {

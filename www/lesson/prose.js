@@ -12,9 +12,12 @@ const tied = (text) =>
     .replace(/(?<=[}σ]) = (?=[−\d{])/g, '\u00a0=\u00a0')
     // A posture, and a Korean number before what it counts.
     .replace(/(?<=\d(?:\u00a0m)?,) (?=−?\d+(?:\u00a0m\b|°))/g, '\u00a0')
-    .replace(/(?<=여섯|스무|백) (?=대)/g, '\u00a0')
+    .replace(/(?<=여섯|스무|백|몇) (?=대)/g, '\u00a0')
     // A Korean particle and what it belongs to.
-    .replace(/(?<=[)”°}]\*?)(?=[가-힣])/g, '\u2060');
+    .replace(/(?<=[)”°}%]\*?)(?=[가-힣])/g, '\u2060')
+    .replace(/(?<=[가-힣])(?=\()/g, '\u2060')
+    // A word of two parts.
+    .replace(/(?<=\b(?:CMA|[Ss]elf|log)-)(?=[A-Za-z])/g, '\u2060');
 
 /**
  * @param {string} text @param {(link: string) => string} hrefOf
@@ -25,10 +28,19 @@ export function inline(text, hrefOf) {
   const nodes = [];
   let end = 0;
   const joined = tied(text);
-  /** What follows a symbol without a space that breaks, a comma or a Korean particle, stays on its line. @param {string} words */
+  /** A symbol stays on the line of what opens a bracket around it, or of its sine. @param {Node} symbol */
+  const addSymbol = (symbol) => {
+    const last = nodes.pop() ?? '';
+    const [open] = (typeof last === 'string' && /(?:\(|\b(?:sin|cos) )$/.exec(last)) || [''];
+    nodes.push(typeof last === 'string' ? last.slice(0, last.length - open.length) : last);
+    nodes.push(open ? create('span', 'on-one-line', open, symbol) : symbol);
+  };
+  /** And so does what follows it without a space that breaks, a comma or a Korean particle. @param {string} words */
   const add = (words) => {
     const last = nodes[nodes.length - 1];
-    const [close] = (last instanceof Element && last.localName === 'math' && /^[^ \n]+/.exec(words)) || [''];
+    const [close] = (last instanceof Element &&
+      last.matches('math, .on-one-line') &&
+      /^[^ \n]+/.exec(words)) || [''];
     if (close) nodes.push(create('span', 'on-one-line', /** @type {Node} */ (nodes.pop()), close));
     nodes.push(words.slice(close.length));
   };
@@ -39,7 +51,7 @@ export function inline(text, hrefOf) {
     if (strong) nodes.push(create('strong', '', ...inline(strong, hrefOf)));
     else if (words) nodes.push(create('a', { href: hrefOf(link) }, words));
     else if (live) nodes.push(create('span', { class: 'live', 'data-value': name }, '–'));
-    else if (isSymbol(name)) nodes.push(symbolInText(name));
+    else if (isSymbol(name)) addSymbol(symbolInText(name));
     else throw new Error(`lesson: {${name}} is no symbol`);
   }
   add(joined.slice(end));

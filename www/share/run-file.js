@@ -6,6 +6,7 @@
 import { gainsOf } from '../run/drivers.js';
 import { lastGeneration } from '../run/pace.js';
 import { tried } from '../run/scene.js';
+import { mark } from './handin/mark.js';
 import words from './words/index.js';
 
 const format = 'ep-locomotion run';
@@ -101,5 +102,5 @@ function parse(text) {
   } catch {
     if (text.includes(`"${format}"`)) throw new Error(words.cutFile);
   }
-  throw new Error(words.foreignFile);
+  throw new Error(text.includes(mark) ? words.handInFile : words.foreignFile);
 }

@@ -34,4 +34,4 @@ export const inEach = { en, ko };
 export const latinWord = /[A-Za-z]{3,}/;
 /** Names, keys, units and functions that stay as they are, and the title of the paper. */
 export const sameInBoth =
-  /Kim and H\.-S\. Shim, “Evolutionary Programming-Based [^”]*”, Proceedings [^,]*, MIT Press|\b(CITATION\.cff|self-adaptation|unicycle|nonholonomic|saturation|chattering|elitism|generalisation|overfitting|local optimum|log-normal|Python|JavaScript|MATLAB|Octave|CSV|ERT|PNG|SVG|Kim|Shim|Kanayama|Fogel|Schwefel|Brockett|Enter|Shift|Alt|Ctrl|Esc|Tab|PageDown|PageUp|CMA-ES|min|max|rad|cos|sin|exp|WebAssembly|Node|ep-locomotion|Chrome|Firefox|Safari|[0-9a-f]{8,})\b/g;
+  /Kim and H\.-S\. Shim, “Evolutionary Programming-Based [^”]*”, Proceedings [^,]*, MIT Press|\b(CITATION\.cff|self-\u2060?adaptation|unicycle|nonholonomic|saturation|chattering|elitism|generalisation|overfitting|local optimum|log-\u2060?normal|Python|JavaScript|MATLAB|Octave|CSV|ERT|PNG|SVG|Kim|Shim|Kanayama|Fogel|Schwefel|Brockett|Enter|Shift|Alt|Ctrl|Esc|Tab|PageDown|PageUp|CMA-\u2060?ES|min|max|rad|cos|sin|exp|WebAssembly|Node|ep-locomotion|Chrome|Firefox|Safari|[0-9a-f]{8,})\b/g;

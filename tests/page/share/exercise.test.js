@@ -226,6 +226,7 @@ pageTest('in a frame the task is beside the figure, and its host may do what is 
           await page.evaluate(() => document.getElementById('embed-full')?.getAttribute('href')),
         );
         assert.equal(new URL(whole).hash, '#lab&v=1&seed=7');
+        assert.equal(await page.text('#embed-full'), 'Open the page without the task');
       });
     // It asks for room for its task, too.
     for (const frame of [0, 1])

@@ -135,6 +135,10 @@ pageTest('a file that is no run changes nothing and says why', async (page) => {
   const before = await readEvolution(page);
   await page.click('#keep-button');
   assert.match(await choose(page, 'photo.json', '{"a": 1}'), /“photo.json” was not opened: it is no run/);
+  assert.match(
+    await choose(page, 'hand-in.txt', 'ep-locomotion hand-in\nhttp://host/#lab&v=1&handin=1~8'),
+    /“hand-in.txt” was not opened: it is a hand-in: “Check hand-ins” reads it/,
+  );
   await page.click('#keep-close');
   assert.deepEqual(await readEvolution(page), before);
   assert.deepEqual(await page.obstacles(), []);

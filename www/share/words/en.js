@@ -113,6 +113,8 @@ export const scorm = {
 };
 
 export const foreignFile = 'it is no run that this page has saved.';
+export const handInFile =
+  'it is a hand-in: “Check hand-ins” reads it, and the address bar opens the link in it.';
 
 /** @param {unknown} found @param {number} own */
 export const otherVersion = (found, own) =>

@@ -59,7 +59,7 @@ export const texts = {
   makerValue: '기준값',
   makerDrives: '주행 횟수 제한(비우면 없음)',
   makerPoints: '두 값에서의 점수와 그 사이의 직선(비우면 없음)',
-  makerPointsAt: '점, 값',
+  makerPointsAt: '점을 줄 값',
   makerVary: '학번에 따라 학생마다 다르게',
   makerUneven:
     '그러면 도달할 수 있는 J가 학생마다 다릅니다. 모두가 도달할 수 있는 J로 하거나 주차를 기준으로 하십시오.',
@@ -116,6 +116,8 @@ export const scorm = {
 };
 
 export const foreignFile = '이 페이지가 저장한 실험이 아닙니다.';
+export const handInFile =
+  '제출물입니다. “제출물 확인”\u2060에서 읽거나, 그 안의 링크를 주소 표시줄에 붙여 넣으십시오.';
 
 /** @param {unknown} found @param {number} own */
 export const otherVersion = (found, own) =>

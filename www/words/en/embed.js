@@ -1,5 +1,7 @@
 // Every word of a figure in another page’s frame.
 export const openFull = 'Open the full page';
+/** It leads out of an exercise. */
+export const openFree = 'Open the page without the task';
 export const fullScreen = 'Full screen';
 export const leaveFullScreen = 'Leave full screen';
 

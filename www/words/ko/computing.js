@@ -10,7 +10,7 @@ export const computingText = (what, generation, newest) =>
         ? `${generation + 1}세대를 계산하고 있습니다.`
         : '기록된 세대를 다시 계산하고 있습니다.';
 
-export const stopComputing = '중지 (Esc)';
+export const stopComputing = '중지(Esc)';
 
 /** @param {number | null} generation The one that evolution has come to; null when it was to begin anew. */
 export const stoppedText = (generation) =>

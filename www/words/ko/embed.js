@@ -1,6 +1,8 @@
 // Every word of a figure in another page’s frame, in Korean.
 
 export const openFull = '전체 페이지 열기';
+/** It leads out of an exercise. */
+export const openFree = '과제 없이 전체 페이지 열기';
 export const fullScreen = '전체 화면';
 export const leaveFullScreen = '전체 화면 끝내기';
 

@@ -16,7 +16,7 @@ export const texts = {
   pages: '이 페이지의 구성',
   evolutionSection: '진화',
   planeSection: '로봇',
-  robotClock: '로봇의 시간',
+  robotClock: '로봇의 재생',
   speed: '로봇 재생 속도',
   scrub: '로봇의 주행 시각',
   curveTitle: '적합도 곡선',
@@ -71,7 +71,7 @@ export const pages = {
 /** What each part is for. @param {number} population @returns {Record<string, string>} */
 export const taglines = (population) => ({
   lab: `무작위 이득을 세 개씩 가진 로봇 ${population}대가 목표로 주행합니다. 진화는 잘 주행하는 로봇을 남깁니다.`,
-  park: '출발점 32개에서 나선 로봇, 주차 자리 하나, 숫자 세 개. 모두 주차시켜 보거나 진화에 맡겨 보십시오.',
+  park: '출발점 32곳의 로봇, 주차 자리 하나, 숫자 세 개. 모두 주차시켜 보거나 진화에 맡겨 보십시오.',
   generation:
     '한 세대를 단계별로 봅니다: 누가 누구의 자손인지, 어떻게 주행했는지, 누구를 만났는지, 누가 남는지.',
   curves: '논문의 그림 5, 7과 같은 시간에 따른 주행, 그동안 쌓이는 J, 그리고 리아푸노프 함수입니다.',
@@ -125,7 +125,7 @@ export const outcomeText = (run) =>
     horizon: isTracking(run)
       ? `${sixDigits(run.finalTime)}초 동안 기준 자세를 추종`
       : `${sixDigits(run.finalTime)}초 안에 도착하지 못함`,
-    diverged: '유한한 값을 벗어나 발산',
+    diverged: '발산',
   })[run.outcome];
 
 /** @param {string} name @param {number} cost */
@@ -187,7 +187,7 @@ export const pauseEvolution = '멈춤';
 
 /** @param {number} pace Generations in a second; with 0 it is one phase at a time. */
 export const paceText = (pace) =>
-  pace === 0 ? '한 단계씩' : Number.isFinite(pace) ? `초당 ${pace}세대` : '최대 속도';
+  pace === 0 ? '한 단계씩' : Number.isFinite(pace) ? `${pace}세대/초` : '최대 속도';
 
 /** @type {readonly (readonly [kind: Until['kind'], text: string])[]} */
 export const untils = [
@@ -238,7 +238,7 @@ export function progressText(first, newest) {
 
 /** @param {number} generation */
 export const restText = (generation) =>
-  `${generation}세대에서 멈추었습니다. “진화 시작”을 누르면 이어집니다.`;
+  `${generation}세대에서 멈추었습니다. “진화 시작”\u2060을 누르면 이어집니다.`;
 
 /** @param {number} value Below which J was to come. @param {Statistics} statistics */
 export const reachedText = (value, { generation, best }) =>

@@ -22,7 +22,7 @@ const others = {
 };
 /** @param {string} name @param {Run} run @param {import('../common/kinds.js').Difference | null} difference Of its settings from those that drive now. */
 export const pinText = (name, run, difference) =>
-  comparisonText(name, run) + (difference ? ` (${others[difference]})` : '');
+  comparisonText(name, run) + (difference ? `(${others[difference]})` : '');
 
 /** @param {Driver} driver @param {{ generation: number, seed: number, gains: Triple, found: import('../common/kinds.js').Found }} of */
 export const pinName = (driver, { generation, seed, gains, found }) =>

@@ -1,6 +1,6 @@
 // The step “limits” in English.
 import { largest } from '../../../kit/extent.js';
-import { costText, fixed } from '../../../words/en/numbers.js';
+import { costText, fixed, grouped } from '../../../words/en/numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Run} Run */
 /** @typedef {{ run: Run, rises: number }} Driven */
@@ -32,7 +32,7 @@ Do speed limits close that gap? From the paper’s own start it looks so: with t
       choices: ['It falls', 'It stays about the same', 'It rises'],
       /** @param {{ free: Driven, limited: Driven }} outcome */
       why: ({ free, limited }) =>
-        `J is ${costText(free.run.cost.total)} instead of ${costText(limited.run.cost.total)}, and the robot ${arrival(free.run)}. Near the goal {te} is almost 0, the law divides by its sine, and the command jumps between huge values of both signs, which engineers call *chattering*: the largest turn rate is ${fixed(largest(free.run.angular.map(Math.abs)), 0)} rad/s, and energy counts its square.`,
+        `J is ${costText(free.run.cost.total)} instead of ${costText(limited.run.cost.total)}, and the robot ${arrival(free.run)}. Near the goal {te} is almost 0, the law divides by its sine, and the command jumps between huge values of both signs, which engineers call *chattering*: the largest turn rate is ${grouped(Math.round(largest(free.run.angular.map(Math.abs))))} rad/s, and energy counts its square.`,
     },
     heals: {
       question:

@@ -1,6 +1,6 @@
 // The step “limits” in Korean.
 import { largest } from '../../../kit/extent.js';
-import { costText, fixed } from '../../../words/ko/numbers.js';
+import { costText, fixed, grouped } from '../../../words/ko/numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Run} Run */
 /** @typedef {{ run: Run, rises: number }} Driven */
@@ -32,7 +32,7 @@ export const limits = {
       choices: ['낮아진다', '거의 그대로다', '높아진다'],
       /** @param {{ free: Driven, limited: Driven }} outcome */
       why: ({ free, limited }) =>
-        `J는 ${costText(limited.run.cost.total)} → ${costText(free.run.cost.total)}입니다. 로봇은 ${arrival(free.run)}. 목표 가까이에서 {te}는 거의 0인데, 법칙은 그 사인으로 나눕니다. 그래서 명령이 큰 양수와 큰 음수 사이를 오갑니다. 이를 *채터링(chattering)*이라고 합니다. 가장 큰 각속도는 ${fixed(largest(free.run.angular.map(Math.abs)), 0)} rad/s이고, 에너지는 그 제곱에 비례합니다.`,
+        `J는 ${costText(limited.run.cost.total)} → ${costText(free.run.cost.total)}입니다. 로봇은 ${arrival(free.run)}. 목표 가까이에서 {te}는 거의 0인데, 법칙은 그 사인으로 나눕니다. 그래서 명령이 큰 양수와 큰 음수 사이를 오갑니다. 이를 *채터링(chattering)*이라고 합니다. 가장 큰 각속도는 ${grouped(Math.round(largest(free.run.angular.map(Math.abs))))} rad/s이고, 에너지는 그 제곱에 비례합니다.`,
     },
     heals: {
       question:

@@ -35,7 +35,7 @@ export const task = {
       choices: ['더 적은 곳에서', '비슷한 만큼', '더 많은 곳에서'],
       /** @param {{ own: Share, other: Share, best: Run, dear: Run }} outcome */
       why: ({ own, other, best, dear }) =>
-        `임의 이득은 출발점의 ${percent(other.share)}에서, 진화한 이득은 ${percent(own.share)}에서 도착합니다. 논문의 출발점에서는 J가 ${costText(dear.cost.total)} 대 ${costText(best.cost.total)}입니다. 한 곳에서 가장 좋다고 다른 곳에서도 좋은 것은 아닙니다.`,
+        `임의 이득은 출발점의 ${percent(other.share)}에서, 진화한 이득은 ${percent(own.share)}에서 도착합니다. 논문의 출발점에서 J는 임의 이득이 ${costText(dear.cost.total)}, 진화한 이득이 ${costText(best.cost.total)}입니다. 한 곳에서 가장 좋다고 다른 곳에서도 좋은 것은 아닙니다.`,
     },
     price: {
       question: '출발점 하나 대신 32개로 진화시키면, 논문의 그 출발점에서 {J}는 어떻게 됩니까?',

@@ -45,7 +45,7 @@ export const numberColumns = numberColumnsOf({
 });
 
 export const noPinsText =
-  '“이 주행 고정”으로 주행을 남겨 두고, 진화를 더 진행하거나 시드, 설정, 이득을 바꾸어 보십시오. 무엇이 다른지 여기에 나타납니다.';
+  '“이 주행 고정”\u2060으로 주행을 남겨 두고, 진화를 더 진행하거나 시드, 설정, 이득을 바꾸어 보십시오. 무엇이 다른지 여기에 나타납니다.';
 /** @param {number} count */
 export const pinsText = (count) => `4개 중 ${count}개 고정됨. 이름은 바꿀 수 있습니다.`;
 /** @param {number} slot */

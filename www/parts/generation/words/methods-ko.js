@@ -222,7 +222,7 @@ export const initialText = ({ method }) =>
   method === 'ep' ? '초기 범위에서 균등하게 뽑음, σ는 설정값' : beginnings[method];
 
 /** At the corners of a simplex. */
-export const cornerNames = { best: '최우수', worst: '최하위', reflected: '반사' };
+export const cornerNames = { best: '최선', worst: '최악', reflected: '반사' };
 
 /** How a trial was made. @param {Anatomy} anatomy @param {number} own */
 export function madeText({ method, record }, own) {
@@ -265,6 +265,6 @@ export const successText = ({ steps, won }) =>
     ? `첫 걸음은 ${won === 1 ? '성공' : '실패'}했습니다.`
     : `최근 ${steps}걸음 중 ${won}걸음 성공: 다섯 번에 한 번${5 * won > steps ? '보다 많습니다' : 5 * won === steps ? '입니다' : '보다 적습니다'}.`;
 /** @param {Anatomy} anatomy @param {number} count */
-export const stay = ({ method }, count) => (method === 'cma-es' ? `${count}대 반영` : `로봇 ${count}대 생존`);
+export const stay = ({ method }, count) => (method === 'cma-es' ? `${count}대 반영` : `${count}대 생존`);
 /** @param {Anatomy} anatomy @param {number} count */
-export const fall = ({ method }, count) => (method === 'cma-es' ? `${count}대 제외` : `로봇 ${count}대 탈락`);
+export const fall = ({ method }, count) => (method === 'cma-es' ? `${count}대 제외` : `${count}대 탈락`);

@@ -35,7 +35,7 @@ export const readout = (who, gains, run, outcome, isOneOfMany) =>
   `${who ? `${who}, ` : ''}${gains}: ${isOneOfMany ? '첫 출발점에서 ' : ''}J ${costText(run.cost.total)}, ${outcome}`;
 
 /** At its mark on the map. */
-export const lowest = '가장 낮은 점';
+export const lowest = '최저점';
 /** @param {string} gains @param {number} cost */
 export const lowestText = (gains, cost) => `이 단면에서 가장 낮은 점: J ${costText(cost)}, ${gains}`;
 

@@ -6,7 +6,7 @@ export const pictureName = '주차 자리';
 
 /** @param {number} count */
 export const invitation = (count) =>
-  `로봇 ${count}대, 주차 자리 하나. 모든 로봇은 같은 숫자 세 개를 따릅니다. 몇 대나 주차시킬 수 있습니까?`;
+  `로봇 ${count}대, 주차 자리 하나. 모든 로봇은 같은 숫자 세 개를 따릅니다. 몇\u00a0대나 주차시킬 수 있습니까?`;
 
 /** @param {number} count */
 export const ofParked = (count) => `/ ${count}대 주차`;

@@ -42,7 +42,7 @@ export const failed = (message, kept) =>
   `${kept ? '지도를 새로 계산하지 못했습니다' : '계산하지 못했습니다'}: ${message}`;
 
 /** What follows the share. @param {string} name */
-export const summary = (name) => `도착: ${name}`;
+export const summary = (name) => `도착 비율(${name})`;
 
 /** @param {string} name @param {number | null} share */
 export const rivalText = (name, share) => `${name}: ${share === null ? '…' : percent(share)}`;

@@ -72,7 +72,7 @@ export const signs = { arrives: '채운 화살표는 도착,', misses: '작고 �
 
 /** What the pictures and the columns mean. @param {number} count @param {number} radius @param {number} horizon */
 export const key = (count, radius, horizon) =>
-  `누르면 그곳에서 주행합니다. 처음 보는 곳: 목표에서 ${fixed(radius, 0)} m 안의 출발점 ${grouped(count)}개, 방향각은 임의. 평균 J는 이들 전체의 평균이며, 각 주행은 늦어도 ${Number(horizon.toFixed(3))}초에 멈춥니다.`;
+  `누르면 그곳에서 주행합니다. 처음 보는 곳: 목표에서 ${fixed(radius, 0)}\u00a0m 안의 출발점 ${grouped(count)}개, 방향각은 임의. 평균 J는 이들 전체의 평균이며, 각 주행은 늦어도 ${Number(horizon.toFixed(3))}초에 멈춥니다.`;
 
 /** @param {Evolved} evolved */
 export const evolvedNote = ({ experiment, generations, drives, milliseconds }) =>
@@ -109,7 +109,7 @@ export const followed = ({ results: { one, circle, grid } }) =>
 export function spreadText({ one, circle, grid }, unseen, own) {
   const range = (/** @type {readonly number[]} */ counts) =>
     `${shareOf(Math.min(...counts), unseen)}~${percent(Math.max(...counts), unseen)}`;
-  return `시드 하나로는 운이 크게 작용합니다. 시드 ${one.length}개로 진화시키면 처음 보는 출발점에서 도착하는 비율은 출발점 ${own === 1 ? '하나' : `${own}개`}로 진화한 로봇이 ${range(one)}, 원으로 진화한 로봇이 ${range(circle)}, 격자로 진화한 로봇이 ${range(grid)}입니다.`;
+  return `시드 하나로는 운이 크게 작용합니다. 시드 ${one.length}개로 진화시키면 처음 보는 출발점에서 도착하는 비율은 출발점 ${own === 1 ? '하나' : `${own}개`}로 진화한 로봇이 ${range(one)}, 원으로 진화한 로봇이 ${range(circle)}, 격자로 진화한 로봇이 ${range(grid)}\u2060입니다.`;
 }
 
 /** What more arrivals cost, or why there are no more. Nothing where neither is so. @param {Result} one @param {Result} many */

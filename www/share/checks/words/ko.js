@@ -59,7 +59,7 @@ export const sentences = {
   ],
   mirror: (count) => [`주차의 좌우를 뒤집어도 로봇 ${count}대의 비용은 같습니다.`, '다른 J의 수'],
   parked: (count) => [
-    `주행 ${count}회에서 Kanayama의 규칙은 목표가 멈추어 있으면 로봇을 회전시키지 않습니다.`,
+    `주행 ${count}회에서 Kanayama의 규칙은 목표가 멈춰 있으면 로봇을 회전시키지 않습니다.`,
     '최대 |ω|',
   ],
   run: (preset, gains, withPosture) => [

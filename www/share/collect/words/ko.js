@@ -71,7 +71,7 @@ export const drivesText = (drives, isTold) => (isTold ? `${drives}(본인 기록
 export const worths = {
   broken: '잘렸거나 바뀐 제출물이어서 점수 없음',
   otherProgram: '다른 버전의 프로그램으로 만든 제출물',
-  none: '“제출물 만들기”를 거치지 않은 링크',
+  none: '“제출물 만들기”\u2060를 거치지 않은 링크',
 };
 
 export const lacksWho = '이름이나 학번이 없어 과제가 정해지지 않았으므로 판정하지 않음';

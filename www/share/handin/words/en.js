@@ -102,7 +102,7 @@ export function receiptText(receipt, address = receipt.link) {
   const { apart, there, judged, gains, how } = receipt;
   const found =
     how.driver === 'evolved'
-      ? `, found by ${how.method} with seed ${how.seed} in generation ${how.generation}`
+      ? `, found by ${how.method === 'ep' ? 'EP' : how.method} with seed ${how.seed} in generation ${how.generation}`
       : how.driver === 'hand'
         ? ', by hand'
         : ', from the paper';

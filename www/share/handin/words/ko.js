@@ -103,7 +103,7 @@ export function receiptText(receipt, address = receipt.link) {
   const { apart, there, judged, gains, how } = receipt;
   const found =
     how.driver === 'evolved'
-      ? `, ${how.method}, 시드 ${how.seed}, ${how.generation}세대`
+      ? `, ${how.method === 'ep' ? 'EP' : how.method}, 시드 ${how.seed}, ${how.generation}세대`
       : how.driver === 'hand'
         ? ', 직접 찾음'
         : ', 논문의 이득';

@@ -89,7 +89,7 @@ function lawText({ law, isPromised, referenceSpeed }) {
   if (!isPromised)
     return 'Kanayama의 규칙은 ky > 0이 아니면 아무것도 보장하지 않습니다. 여기의 V는 법칙 (5)의 것입니다.';
   return referenceSpeed === 0
-    ? 'Kanayama의 규칙에서 목표가 멈추어 있으면 V̇에는 앞쪽으로 잰 목표까지의 거리 x만 남습니다. 목표 옆에 이르면 로봇은 그 자리에 머뭅니다.'
+    ? 'Kanayama의 규칙에서 목표가 멈춰 있으면 V̇에는 앞쪽으로 잰 목표까지의 거리 x만 남습니다. 목표 옆에 이르면 로봇은 그 자리에 머뭅니다.'
     : 'Kanayama의 규칙에는 고유한 V가 있습니다. x는 로봇의 앞쪽으로 잰 기준 자세까지의 거리입니다.';
 }
 
