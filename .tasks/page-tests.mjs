@@ -1,7 +1,7 @@
 // The tests of the built page: which files there are, and the processes that share them.
-import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { basename, join } from 'node:path';
-import { top } from './run.mjs';
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { basename, dirname, join } from 'node:path';
+import { Failure, top } from './run.mjs';
 
 /** @typedef {import('../tests/page/harness/engines.js').EngineName} EngineName */
 /** A process, the files that it takes one after the other, and what it is told; some share their files. @typedef {{ files: string[], env: Record<string, string> }} Lane */
@@ -31,8 +31,10 @@ function lastSeconds() {
 }
 
 /** @param {Record<string, number>} seconds */
-export const keepSeconds = (seconds) =>
+export function keepSeconds(seconds) {
+  mkdirSync(dirname(lastTime), { recursive: true });
   writeFileSync(lastTime, JSON.stringify({ ...lastSeconds(), ...seconds }, null, 1));
+}
 
 /** Those that take the longest first, so that in the end no process is left alone with one; of what never ran, those that go through all views, or are long themselves. @param {readonly string[]} files */
 function sorted(files) {
@@ -52,8 +54,15 @@ const declared = {
 };
 
 /** The files that have tests of a kind: to load another takes its time. @param {readonly string[]} files @param {import('../tests/page/harness/once.js').Kind} kind */
-const having = (files, kind) =>
-  files.filter((file) => declared[kind].test(readFileSync(join(top, folder, file), 'utf8')));
+function having(files, kind) {
+  const found = files.map((file) => {
+    const text = readFileSync(join(top, folder, file), 'utf8');
+    if (!Object.values(declared).some((one) => one.test(text)))
+      throw new Failure(`${file} has no test that harness/browsers.js or harness/once.js declares`);
+    return declared[kind].test(text) ? file : '';
+  });
+  return found.filter(Boolean);
+}
 
 /**
  * Who runs what, side by side, for each spends much of its time waiting: what the page does in every engine alike, in the first

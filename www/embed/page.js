@@ -1,7 +1,7 @@
 // The page as a figure in a frame of another page: its foot, the height it asks for, and what it says to its host.
 /** @import { State } from '../run/state.js' */
 import { byId, create, svg, write } from '../kit/elements.js';
-import { isEmpty, noExercise } from '../run/exercise.js';
+import { asksSomething, noExercise } from '../run/exercise.js';
 import { caughtUp } from '../run/state.js';
 import { watch } from '../kit/memo.js';
 import { embed as words, texts } from '../words/index.js';
@@ -68,7 +68,7 @@ export function createEmbed(parts) {
     draw(state) {
       if (shapeChanged(state.page, state.lesson, state.exercise)) {
         tellHeight();
-        foot.name(isEmpty(state.exercise) ? words.openFull : words.openFree);
+        foot.name(asksSomething(state.exercise) ? words.openFree : words.openFull);
       }
       messages.announce();
       if (!state.evolving && !state.dragging && linkChanged(state.experiment, state.generation, state.page))

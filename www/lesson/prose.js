@@ -30,9 +30,9 @@ export function inline(text, hrefOf) {
   const joined = tied(text);
   /** A symbol stays on the line of what opens a bracket around it, or of its sine. @param {Node} symbol */
   const addSymbol = (symbol) => {
-    const last = nodes.pop() ?? '';
-    const [open] = (typeof last === 'string' && /(?:\(|\b(?:sin|cos) )$/.exec(last)) || [''];
-    nodes.push(typeof last === 'string' ? last.slice(0, last.length - open.length) : last);
+    const before = String(nodes.pop() ?? '');
+    const [open] = /(?:\(|\b(?:sin|cos) )$/.exec(before) ?? [''];
+    nodes.push(before.slice(0, before.length - open.length));
     nodes.push(open ? create('span', 'on-one-line', open, symbol) : symbol);
   };
   /** And so does what follows it without a space that breaks, a comma or a Korean particle. @param {string} words */

@@ -104,7 +104,7 @@ export const evolvedOf = ({ history, work }) => drivenBy(history, Math.max(histo
 
 /** How many times a robot was driven for this answer, once from each start: what evolution drove up to the generation that is shown, or all that was driven here. @param {Pick<State, 'driver' | 'history' | 'generation' | 'work' | 'experiment'>} state */
 export function drivesOf({ driver, history, generation, work, experiment }) {
-  if (driver === 'evolved') return drivenBy(history, generation);
+  if (driver === 'evolved') return history[generation].evaluations;
   return work.tries * experiment.starts.length + work.spent + evolvedOf({ history, work });
 }
 

@@ -178,7 +178,7 @@ function createSaving(tools, dialog, address, say) {
 /** @param {{ address: string, frame: typeof frames[number], frameText: string, pictures: readonly Picture[], status: string, park: ReturnType<typeof parkedOf> | null }} shown @param {Events} on */
 const contentOf = ({ address, frame, frameText, pictures, status, park }, on) => html`
   <h3>${texts.keepLink}</h3>
-  <p class="muted">${isOnDisk() ? texts.keepLinkOnDisk : park ? texts.keepParkHelp : texts.keepLinkHelp}</p>
+  <p class="muted">${park ? texts.keepParkHelp : isOnDisk() ? texts.keepLinkHere : texts.keepLinkHelp} ${isOnDisk() ? texts.keepLinkOnDisk : nothing}</p>
   <div class="bar">
     <input id="keep-link" type="text" readonly aria-label=${texts.keepLink} .value=${live(address)} @focus=${selectAll}>
     <button id="keep-copy" type="button" class="primary" @click=${on.copyLink}>${texts.keepCopy}</button>

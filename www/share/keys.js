@@ -62,11 +62,23 @@ export function createKeys(openChecks) {
 /** What is no letter scrolls, as everywhere, where there is more of the page above or below. @param {Row} row */
 const scrolls = ([key]) => key.length > 1;
 
-/** Whether such a key still moves the page, or what has the focus. @param {KeyboardEvent} event */
+/** Who has such keys itself. */
+const having =
+  'input:not([type="radio"], [type="checkbox"]), textarea, select, [role="slider"], [role="application"]';
+
+/** Whether such a key still moves what has the focus, what scrolls around that, or the page. @param {KeyboardEvent} event */
 function isOfOthers({ key, target }) {
-  const { scrollHeight } = document.documentElement;
-  const isAtEnd = key === 'PageUp' ? scrollY < 1 : scrollY + innerHeight > scrollHeight - 1;
-  return !isAtEnd || !(target instanceof Element && target.matches('body, button, a'));
+  let at = target instanceof Element ? target : null;
+  if (at?.matches(having)) return true;
+  while (at && !hasRoom(at, key)) at = at.parentElement;
+  return at !== null;
+}
+
+/** @param {Element} element @param {string} key */
+function hasRoom(element, key) {
+  const { scrollTop, scrollHeight, clientHeight } = element;
+  if ((key === 'PageUp' ? scrollTop : scrollHeight - clientHeight - scrollTop) < 1) return false;
+  return element === document.documentElement || /auto|scroll/.test(getComputedStyle(element).overflowY);
 }
 
 /** What a key presses: what is not in sight is not pressed. @param {Row} row */

@@ -155,17 +155,6 @@ test('what was driven in the lab counts on where Park leads there', () => {
   assert.equal(drivenOn(store), before + (store.get().history.at(-1)?.evaluations ?? 0));
 });
 
-test('the first robots are driven for whoever looks: nothing is spent before anybody does something', async () => {
-  const { store, actions } = pageOf('lab&v=1&task=Few.&aim=J%3C8.1;drives%3C%3D40');
-  assert.equal(drivesOf(store.get()), 0);
-  actions.driveGains([3, 1, 5], 'hand');
-  actions.driveAgain();
-  assert.equal(drivesOf(store.get()), 1);
-  actions.chooseDriver('evolved');
-  actions.forward();
-  assert.equal(drivesOf(store.get()), 40);
-});
-
 test('a receipt that is opened counts on from what it says', async () => {
   const state = await opened(budget);
   const receipt = await receiptOf(tools, { ...state, work: { ...newWork(''), tries: 3 } });

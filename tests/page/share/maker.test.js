@@ -196,7 +196,7 @@ engineTest('from the one file on a disk the figure is shown, and the package wri
     // A path on this disk is none on another.
     const handed = () => /** @type {HTMLInputElement} */ (document.getElementById('keep-link')).value;
     assert.match(await page.evaluate(handed), /^ep-locomotion\.html#lab&v=1&drives=hand/);
-    assert.match(await page.text('#keep'), /Whoever has the file opens this very run/);
+    assert.match(await page.text('#keep'), /opens in their own copy of it: by adding the #/);
     await page.click('#keep-exercise');
     await page.until('the maker is open', () => document.getElementById('maker-task')?.checkVisibility());
     await page.press(...'Park.');

@@ -124,7 +124,12 @@ async function readsLesson(page, language) {
             [...document.querySelectorAll('.on-one-line')].map((one) => getComputedStyle(one).whiteSpace),
           ),
           ...[...document.querySelectorAll('p, th, td')].flatMap(
-            ({ textContent }) => textContent?.match(/[)”°][가-힣]+/g) ?? [],
+            ({ textContent }) =>
+              textContent?.match(/[)”°%][가-힣]+|[가-힣]\(|\b(?:CMA|self)-[A-Za-z]/g) ?? [],
+          ),
+          // A symbol and what opens a bracket around it, or its sine.
+          ...[...document.querySelectorAll(':is(p, td, li) > math')].flatMap(
+            ({ previousSibling }) => /(?:\(|\b(?:sin|cos) )$/.exec(previousSibling?.nodeValue ?? '') ?? [],
           ),
         ],
       }

@@ -46,6 +46,8 @@ pageTest('the lab is one sheet, and the lecturers’ sheets come without it', as
   assert.ok(high <= a4, `${high} px of ${a4}`);
   await page.open('#lesson&step=lecturers');
   await page.until('its sheets', () => document.querySelector('.sheet-list'));
+  const isSeen = () => document.getElementById('plane')?.checkVisibility();
+  assert.equal(await page.evaluate(isSeen), true);
   await asOnPaper(page);
-  assert.equal(await page.evaluate(() => document.getElementById('plane')?.checkVisibility()), false);
+  assert.equal(await page.evaluate(isSeen), false);
 });

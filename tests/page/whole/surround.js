@@ -4,15 +4,15 @@ import { setScreen, tellChromium } from '../harness/screen.js';
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {readonly [number, number]} Size */
 
-/** What each page was last told, as text. @type {WeakMap<Page, string>} */
+/** What each browser was last told, as text. @type {WeakMap<object, string>} */
 const mediaOf = new WeakMap();
 
 /** @param {Page} page @param {Record<string, string>} media */
 async function setMedia(page, media) {
   const features = Object.entries(media).map(([name, value]) => ({ name, value }));
   const text = JSON.stringify(features);
-  if ((mediaOf.get(page) ?? '[]') === text) return;
-  mediaOf.set(page, text);
+  if ((mediaOf.get(page.driver) ?? '[]') === text) return;
+  mediaOf.set(page.driver, text);
   await tellChromium(page, 'Emulation.setEmulatedMedia', { features });
 }
 

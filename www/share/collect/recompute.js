@@ -68,13 +68,13 @@ export async function recompute(tools, run, entry, given, { signal, turn }) {
   };
 }
 
-/** The gains of an answer and the drives that evolution made for them; the first generation is driven for whoever looks. @param {Tools} tools @param {Linked} run @param {AbortSignal} signal */
+/** The gains of an answer and the drives that evolution made for them. @param {Tools} tools @param {Linked} run @param {AbortSignal} signal */
 async function answerOf({ engine, paper }, run, signal) {
   const { driver, experiment, generation } = run;
   if (driver !== 'evolved')
     return { gains: gainsOf({ ...run, population: [] }, driver, paper), drives: null };
   const { population, statistics } = await engine.surveys.generation(experiment, generation, { signal });
-  return { gains: population[0].gains, drives: generation === 0 ? 0 : statistics.evaluations };
+  return { gains: population[0].gains, drives: statistics.evaluations };
 }
 
 /** @param {Tools} tools @param {Linked} run @param {Entry} entry @param {ReturnType<typeof toldIn>} told @param {Measured} own @returns {Worth} */

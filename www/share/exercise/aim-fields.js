@@ -87,9 +87,11 @@ function field(id, wrong, label, value, onInput) {
   aria-invalid=${String(isWrong)} aria-describedby=${isWrong ? 'maker-aim-error' : nothing} .value=${live(value)} @input=${(/** @type {Event} */ event) => onInput(valueIn(event))}>`;
 }
 
-/** Whether one may evolve with many seeds, of each of which alone the drives are counted. @param {Exercise} exercise */
+/** Whether one may evolve again and again, each time with drives that are counted alone. @param {Exercise} exercise */
 const isBySeeds = (exercise) =>
-  exercise.aim?.drives && wayOf(exercise, 'run') === 'free' && wayOf(exercise, 'seed') === 'free';
+  exercise.aim?.drives &&
+  wayOf(exercise, 'run') === 'free' &&
+  (wayOf(exercise, 'seed') === 'free' || wayOf(exercise, 'settings') === 'free');
 
 /**
  * @param {Typed} typed @param {Exercise} exercise @param {unknown} note

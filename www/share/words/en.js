@@ -6,8 +6,9 @@ export * from './common.js';
 export const texts = {
   keepLink: 'Link',
   keepLinkHelp: 'Opens this very run anywhere: the same robots, the same evolution, the same view.',
+  keepLinkHere: 'Opens this very run: the same robots, the same evolution, the same view.',
   keepLinkOnDisk:
-    'This page is a file on your disk. Whoever has the file opens this very run by adding what follows the # behind its address.',
+    'This page is a file on your disk. For others the link opens in their own copy of it: by adding the # and what follows it to its address.',
   keepCopy: 'Copy link',
   keepParkHelp:
     'Opens Park with the sliders as they are, for whoever wants to try. What evolution found is not in it.',
@@ -62,7 +63,7 @@ export const texts = {
   makerUneven:
     'What J can be reached differs then from student to student. Ask for a J that all can reach, or for parking.',
   makerSeeds:
-    'Each evolution is counted by itself: as long as the seed is free, the best of many counts as one.',
+    'Each evolution is counted by itself: as long as the seed or the settings are free, the best of many counts as one.',
   makerWrong: 'Nothing is copied or saved as long as a field above is wrong.',
   makerTurned: 'The better result has fewer points here: exchange the two values if that is not meant.',
   makerPaperInLesson: 'The lesson tells the paper’s gains: it is hidden with them.',

@@ -6,8 +6,9 @@ export * from './common.js';
 export const texts = {
   keepLink: '링크',
   keepLinkHelp: '어디서나 바로 이 실험을 엽니다. 로봇도 진화도 화면도 같습니다.',
+  keepLinkHere: '바로 이 실험을 엽니다. 로봇도 진화도 화면도 같습니다.',
   keepLinkOnDisk:
-    '이 페이지는 이 컴퓨터의 디스크에 있는 파일입니다. 같은 파일이 있는 사람은 파일 주소 뒤에 #부터 붙여서 바로 이 실험을 엽니다.',
+    '이 페이지는 이 컴퓨터의 디스크에 있는 파일입니다. 다른 사람은 자기 파일의 주소 뒤에 #부터 붙여서 엽니다.',
   keepCopy: '링크 복사',
   keepParkHelp:
     '누구나 이어서 해 볼 수 있도록 지금 슬라이더 값으로 “주차” 화면을 엽니다. 진화가 찾은 것은 담기지 않습니다.',
@@ -64,7 +65,7 @@ export const texts = {
   makerUneven:
     '그러면 도달할 수 있는 J가 학생마다 다릅니다. 모두가 도달할 수 있는 J로 하거나 주차를 기준으로 하십시오.',
   makerSeeds:
-    '주행은 진화마다 따로 셉니다. 시드가 잠겨 있지 않으면 여러 번 진화한 것 가운데 가장 좋은 것도 한 번의 진화로 셉니다.',
+    '주행은 진화마다 따로 셉니다. 시드와 설정이 모두 잠겨 있지 않으면 여러 번 진화한 것 가운데 가장 좋은 것도 한 번의 진화로 셉니다.',
   makerWrong: '위의 칸을 바로잡으면 복사하거나 저장할 수 있습니다.',
   makerTurned: '더 좋은 결과의 점수가 더 낮습니다. 의도한 것이 아니면 두 값을 서로 바꾸십시오.',
   makerPaperInLesson: '수업에는 논문의 이득이 나오므로 함께 숨깁니다.',
@@ -104,7 +105,7 @@ export const scorm = {
   writing: '패키지를 만드는 중…',
   /** @param {number} bytes */
   written: (bytes) =>
-    `패키지를 저장했습니다(${(bytes / 1e6).toFixed(1)} MB). SCORM 패키지로 올리십시오. Moodle에서는 “활동 추가”에서 “SCORM 패키지”를 고르십시오.`,
+    `패키지를 저장했습니다(${(bytes / 1e6).toFixed(1)} MB). SCORM 패키지로 올리십시오. Moodle에서는 “활동 추가”\u2060에서 “SCORM 패키지”\u2060를 고르십시오.`,
   /** @param {number} characters */
   long: (characters) =>
     `과제 링크가 깁니다(${characters}자). 학생이 제출한 뒤에 하는 작업은 플랫폼에 저장할 자리가 없을 수 있습니다. 과제 내용이나 고정한 주행을 줄이면 짧아집니다.`,

@@ -15,7 +15,7 @@ export const groups = {
   postures: '출발과 목표',
   run: '진화 실행',
   seed: '새 시드',
-  clock: '로봇의 재생',
+  clock: '로봇 재생',
   settings: '설정과 제한',
   parts: '다른 부분',
   lesson: '수업',

@@ -16,7 +16,7 @@ export const texts = {
   pages: '이 페이지의 구성',
   evolutionSection: '진화',
   planeSection: '로봇',
-  robotClock: '로봇의 재생',
+  robotClock: '로봇 재생',
   speed: '로봇 재생 속도',
   scrub: '로봇의 주행 시각',
   curveTitle: '적합도 곡선',
@@ -92,8 +92,8 @@ export const endTrial = '원래 출발점으로';
 export const foundName = {
   hand: '직접 조정한 이득',
   map: '비용 지형에서 고른 이득',
-  training: '“학습”에서 고른 이득',
-  luck: '“운”에서 고른 이득',
+  training: '“학습”\u2060에서 고른 이득',
+  luck: '“운”\u2060에서 고른 이득',
 };
 
 /** @param {Driver} driver @param {number} generation @param {import('../common/kinds.js').Found} found */

@@ -4,7 +4,7 @@ export const lecturers = {
   texts: {
     begin: `이 페이지의 모든 것은 링크에 들어 있습니다. 강의 전에 준비해 둔 화면은 어느 컴퓨터에서나 그대로, 마지막 자리까지 같은 수치로 열립니다. *공유*에서 링크와 그림과 표를 얻고, *설정*에서 실험의 모든 수치를 바꿉니다. 단축키는 *?*를 누르면 나옵니다.
 
-*공유*에서 과제도 만들 수 있습니다. 직접 쓴 과제를 링크에 담고, 학생이 건드리지 말아야 할 조작은 잠그거나 숨깁니다. 비밀은 아닙니다. 학생은 언제든 전체 페이지를 열 수 있습니다. 제출물도 그곳에서 학급 전체를 한꺼번에 확인합니다. 과제는 Moodle용 패키지(SCORM)로도 만들 수 있고, 페이지의 어느 부분이나 수업의 어느 단계든 선생님의 페이지에 프레임으로 넣을 수 있습니다.`,
+*공유*에서 과제도 만들 수 있습니다. 직접 쓴 과제를 링크에 담고, 학생이 건드리지 말아야 할 조작은 잠그거나 숨깁니다. 비밀은 아닙니다. 학생은 언제든 전체 페이지를 열 수 있습니다. 학급 전체의 제출물도 *공유*에서 한꺼번에 확인합니다. 과제는 Moodle용 패키지(SCORM)로도 만들 수 있고, 페이지의 어느 부분이나 수업의 어느 단계든 선생님의 페이지에 프레임으로 넣을 수 있습니다.`,
     cite: `*인용하기.* 방법: J.-H. Kim and H.-S. Shim, “Evolutionary Programming-Based Optimal Robust Locomotion Control of Autonomous Mobile Robots”, Proceedings of the Fourth Annual Conference on Evolutionary Programming, MIT Press, 1995. 프로그램: ep-locomotion, 버전 {=version}. 인용 정보는 CITATION.cff에 있습니다. 논문이 정하지 않아 이 페이지가 고른 것은 [논문의 수치를 다룬 단계](lesson&step=paper)에 있습니다.`,
   },
   show: '화면 준비',

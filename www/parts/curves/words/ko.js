@@ -26,7 +26,7 @@ export const limit = '제한';
 
 /** @param {string} name @param {Run} run @param {string} outcome @param {string} comparison @param {readonly string[]} pins */
 export const pictureLabel = (name, run, outcome, comparison, pins) =>
-  `시간에 따른 x와 y, θ, v, ω, J. ${name}: J ${costText(run.cost.total)}, ${outcome}. 점선: ${comparison}.${pins.map((pin) => ` 고정한 주행: ${pin}.`).join('')} “수치”에서 모두 표로 볼 수 있습니다.`;
+  `시간에 따른 x와 y, θ, v, ω, J. ${name}: J ${costText(run.cost.total)}, ${outcome}. 점선: ${comparison}.${pins.map((pin) => ` 고정한 주행: ${pin}.`).join('')} “수치”\u2060에서 모두 표로 볼 수 있습니다.`;
 
 /** @param {'5' | '7'} figure */
 export const figureNote = (figure) =>

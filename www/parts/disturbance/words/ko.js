@@ -16,7 +16,7 @@ export const texts = {
   remainsDrive: '이 주행',
   remainsSet: '집합',
   remainsInside: '안에\u00a0남은 출발점',
-  remainsInsideHint: '이 시간 동안 오차가 자기 집합의 최대 범위를 벗어나지 않은 출발점의 수',
+  remainsInsideHint: '이 시간 동안 오차가 자기 집합의 최대 범위를 벗어나지 않은 다른 출발점의 수',
 };
 
 export const kindLegend = '외란의 종류';

@@ -95,4 +95,4 @@ function lawText({ law, isPromised, referenceSpeed }) {
 
 /** @param {string} name @param {Summary} summary */
 export const pictureLabel = (name, summary) =>
-  `시간에 따른 V와 V̇: ${name}. ${noteText(summary)} “표”에서 수치를 볼 수 있습니다.`;
+  `시간에 따른 V와 V̇: ${name}. ${noteText(summary)} “표”\u2060에서 수치를 볼 수 있습니다.`;
