@@ -210,7 +210,7 @@ pageTest('a presenter’s clicker goes from phase to phase where nothing else is
   assert.match(await page.text('#keys-list'), /PageDown/);
   await page.press(Key.ESCAPE);
   // A slider has these keys too.
-  await page.focus('#timeline');
+  await page.focus('#scrub');
   assert.equal(await phaseAfter(Key.PAGE_DOWN), 'mutation');
   // A button that was pressed has not.
   await page.click('#generation-phases-drive');

@@ -44,6 +44,7 @@ pageTest('the lab is one sheet, and the lecturers’ sheets come without it', as
   await page.resize(paper, 768);
   const high = await page.evaluate(() => document.documentElement.scrollHeight);
   assert.ok(high <= a4, `${high} px of ${a4}`);
+  await page.resize(1366, 768);
   await page.open('#lesson&step=lecturers');
   await page.until('its sheets', () => document.querySelector('.sheet-list'));
   const isSeen = () => document.getElementById('plane')?.checkVisibility();

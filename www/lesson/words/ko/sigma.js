@@ -14,7 +14,7 @@ export const sigma = {
           ? first > 0
             ? `${generation}세대의 최우수 로봇은 ${first}세대나 그 전에 태어났으며, 그 조상은 생략했습니다.`
             : `${generation}세대의 최우수 로봇은 처음에 뽑은 로봇 가운데 하나여서 부모가 없습니다.`
-          : `${generation}세대의 최우수 로봇과 그 조상 로봇 ${count - 1}대: 물려받은 변이 폭${first > 0 ? `(${first}세대보다 앞선 조상은 생략)` : ''}`,
+          : `${generation}세대의 최우수 로봇과 그 조상 로봇 ${count - 1}대: 물려받은 변이 폭${first > 0 ? `\u2060(${first}세대보다 앞선 조상은 생략)` : ''}`,
     axis: '세대',
     /** @param {number} first @param {number} last */
     sigma: (first, last) => `σ ${sigmaText(first)} → ${sigmaText(last)}`,

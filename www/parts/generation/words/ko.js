@@ -171,7 +171,7 @@ export function fateText({ ranks, staying, record, all, method }, number) {
   if (method === 'random') return `로봇 ${staying}대 중 ${rank}위`;
   if (method !== 'ep') return rank > staying ? '버려짐' : `남음(로봇 ${staying}대 중 ${rank}위)`;
   if (rank > staying) return `탈락(로봇 ${all.length}대 중 ${rank}위)`;
-  return `생존(${record.generation + 1}세대의 부모 ${rank})`;
+  return `생존\u2060(${record.generation + 1}세대의 부모 ${rank})`;
 }
 
 /** @param {Anatomy['method']} method @param {number} before @param {number} after @param {(cost: number) => string} usual */
