@@ -15,7 +15,7 @@ const tied = (text) =>
     .replace(/(?<=여섯|스무|백|몇) (?=대)/g, '\u00a0')
     // A Korean particle and what it belongs to.
     .replace(/(?<=[)”°}%]\*?)(?=[가-힣])/g, '\u2060')
-    .replace(/(?<=[가-힣])(?=\()/g, '\u2060')
+    .replace(/(?<=[가-힣]\*?)(?=\()/g, '\u2060')
     // A word of two parts.
     .replace(/(?<=\b(?:CMA|[Ss]elf|log)-)(?=[A-Za-z])/g, '\u2060');
 
