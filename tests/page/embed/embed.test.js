@@ -8,6 +8,7 @@ import { addressOf } from '../../../www/kit/host.js';
 import { wantedHeight } from '../../../www/embed/frame.js';
 import { frameText } from '../../../www/embed/frame-line.js';
 import { links } from '../../../www/lesson/links.js';
+import { stepNames } from '../../../www/lesson/path.js';
 import { pageNames, parts } from '../../../www/parts/parts.js';
 import { lab } from '../../../www/words/index.js';
 import { engineTest, pageTest, patience } from '../harness/browsers.js';
@@ -48,7 +49,7 @@ test('the height that is asked for depends on the width alone, and has bounds', 
     }
 });
 
-test('what a link says, and every part, stands in the documents', async () => {
+test('what a link says, every part and every step stand in the documents', async () => {
   const [readme, embedding, exercises] = await Promise.all(
     ['README.md', 'docs/embedding.md', 'docs/exercises.md'].map((name) =>
       readFile(new URL(`../../../${name}`, import.meta.url), 'utf8'),
@@ -59,6 +60,9 @@ test('what a link says, and every part, stands in the documents', async () => {
     assert.ok(readme.includes(`- **${lab.pages[name]}**`), `README.md does not say what ${name} is`);
     assert.ok(listed.includes(`\`${name}\``), `docs/embedding.md does not list ${name}`);
   }
+  const [steps] = embedding.match(/Steps have names: [^.]*/) ?? [''];
+  for (const name of stepNames)
+    assert.ok(steps.includes(`\`${name}\``), `docs/embedding.md does not list the step ${name}`);
   const told = [...`${embedding}\n${exercises}`.matchAll(/^\|([^|]*)\|/gm)].map(([, keys]) => keys).join();
   // Of four pins the table names the first and the last.
   for (const { key } of links.keys.filter((one) => !/^pin[23]$/.test(one.key)))
