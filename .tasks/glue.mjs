@@ -73,6 +73,10 @@ export function tidyGlue(folder) {
   }
   const used = /(wasm\.\w+\(|const ptr = )this\.__wbg_ptr\b/g;
   if (!used.test(text)) throw new Error(`${script} has no pointers`);
+  // `using` frees what somebody may have freed before its block ends.
+  const freeing = /^ {4}free\(\) \{\n/gm;
+  if (!freeing.test(text)) throw new Error(`${script} has nothing that is freed`);
+  text = text.replace(freeing, '$&        if (this.__wbg_ptr === 0) return;\n');
   writeFileSync(script, withoutStart(text.replace(used, '$1alive(this)'), script));
 
   const declared = readFileSync(types, 'utf8');

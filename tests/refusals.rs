@@ -272,6 +272,9 @@ fn the_presets_are_in_every_range() {
         assert_eq!(Preset::find(preset.word()), Ok(preset));
         assert_eq!(preset.experiment().validate(), Ok(()));
     }
+    assert_eq!("acceleration-limits".parse(), Ok(Preset::AccelerationLimits));
+    assert_eq!(format!("{:>9}.", Law::Kanayama), " kanayama.");
+    assert_refused("shim".parse::<Law>(), "Law must be 'shim-kim' or 'kanayama', but was 'shim'");
     assert_refused(
         Preset::find("no-limits"),
         "experiment must be 'velocity-limits' or 'acceleration-limits', but was 'no-limits'",

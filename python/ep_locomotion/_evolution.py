@@ -6,7 +6,7 @@ import operator
 from typing import Any, Optional
 
 from ._bytes import decoded, encoded
-from ._core import Instance, ask
+from ._core import Instance
 from ._task import Given
 from .types import Experiment, GenerationRecord, Individual, Statistics
 
@@ -18,7 +18,7 @@ class Evolution:
     """
 
     def __init__(self, experiment: Given) -> None:
-        self._given = encoded(ask("experiment", experiment) if isinstance(experiment, str) else experiment)
+        self._given = encoded(experiment)
         self._begin(0)
 
     def _begin(self, generation):
@@ -44,6 +44,11 @@ class Evolution:
 
     def __reduce__(self):
         return (_evolved, (self.experiment, self.generation))
+
+    def __repr__(self) -> str:
+        newest, settings = self.statistics(), self.experiment["evolution"]
+        told = (settings["method"], f"seed {settings['seed']}", f"generation {newest['generation']}", f"J {newest['best']['cost']:.6g}")
+        return f"<Evolution: {', '.join(told)}>"
 
     @property
     def experiment(self) -> Experiment:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Mapping
 from typing import Any, Optional, Sequence, Union, overload
 
 from ._bytes import decoded, encoded, encoded_gains
@@ -42,7 +43,7 @@ class Task:
     """
 
     def __init__(self, experiment: Given) -> None:
-        self._given = encoded(ask("experiment", experiment) if isinstance(experiment, str) else experiment)
+        self._given = encoded(experiment)
         self._begin()
 
     def _begin(self) -> None:
@@ -56,6 +57,11 @@ class Task:
 
     def __reduce__(self):
         return (Task, (self.experiment,))
+
+    def __repr__(self) -> str:
+        experiment = self.experiment
+        count = len(experiment["starts"])
+        return f"<Task of {count} start{'' if count == 1 else 's'}, {experiment['law']}>"
 
     @property
     def experiment(self) -> Experiment:
@@ -82,11 +88,11 @@ class Task:
 
     def landscape(self, landscape: Landscape) -> list[float]:
         """J over two gains, row by row: ``{"x": {"gain": "kx", "from": …, "to": …, "count": …}, "y": …, "gains": …}``."""
-        return self._call("landscape", encoded(landscape))
+        return self._call("landscape", _encoded_part(landscape))
 
     def robustness(self, grid: StartGrid) -> Robustness:
         """How a robot fares from many starts: ``{"gains": …, "x": {"from": …, "to": …, "count": …}, "y": …, "headings": …}``."""
-        return self._call("robustness", encoded(grid))
+        return self._call("robustness", _encoded_part(grid))
 
     def fares(self, gains: Triple) -> Robustness:
         """How one robot fares from each of the experiment's starts: J, t_f and whether it arrives."""
@@ -98,7 +104,21 @@ class Task:
 
     def trials(self, trials: Trials) -> list[Trial]:
         """The experiment's method with the seeds [first, end): ``{"seeds": [first, end], "drives": …}``: when the best J fell, and to what."""
-        return self._call("trials", encoded(trials))
+        return self._call("trials", _encoded_part(trials))
+
+
+def _encoded_part(given):
+    """A ``range`` says from where to before where, as the two numbers do for which it stands."""
+    if isinstance(given, Mapping):
+        given = {name: _ends(value) if name in _PARTS else value for name, value in given.items()}
+    return encoded(given)
+
+
+_PARTS = ("seeds", "rows", "part")
+
+
+def _ends(value):
+    return [value.start, value.stop] if isinstance(value, range) and value.step == 1 else value
 
 
 @functools.lru_cache(maxsize=8)
@@ -113,8 +133,6 @@ def _task(experiment: Given) -> Task:
     """A task, kept for who asks again in the same thread."""
     import threading
 
-    if isinstance(experiment, str):
-        experiment = ask("experiment", experiment)
     return _kept(threading.get_ident(), encoded(experiment))
 
 

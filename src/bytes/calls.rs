@@ -74,7 +74,7 @@ const CALLS: &[(&str, Call)] = &[
         if given.text().is_some() {
             return told(outside::experiment(&given, &changes)?.0.experiment());
         }
-        let mut experiment = outside::setting(&given)?.experiment().clone();
+        let mut experiment = outside::setting(&given)?.0.experiment().clone();
         if changes.is_given() {
             experiment.read(&changes)?;
         }
@@ -90,13 +90,13 @@ const CALLS: &[(&str, Call)] = &[
     }),
     // What begins.
     ("begin_task", |begun, mut given| {
-        let setting = outside::setting(&given.next())?;
+        let (setting, _) = outside::setting(&given.next())?;
         let whole = told(setting.experiment());
         *begun = Begun::Task(setting);
         whole
     }),
     ("begin_evolution", |begun, mut given| {
-        let setting = outside::setting(&given.next())?;
+        let (setting, _) = outside::setting(&given.next())?;
         let whole = told(setting.experiment());
         *begun = Begun::Evolution(Evolution::new(setting));
         whole

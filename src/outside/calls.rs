@@ -87,7 +87,8 @@ macro_rules! calls {
     };
 }
 
-#[cfg(target_arch = "wasm32")] // natively there is no boundary
+#[cfg(all(target_arch = "wasm32", any(feature = "javascript", feature = "bytes")))]
+// else there is no boundary
 pub(crate) use calls;
 
 // All have the lifetime that some need.

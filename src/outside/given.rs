@@ -5,21 +5,29 @@ use crate::schema::{Allowed, Input, Place, Result, Source, refused};
 use crate::search::LAST_GENERATION;
 use crate::study::Evolution;
 
-/// The given experiment, completed with the fields of the preset that it was made from, or else of the usual one.
-pub fn setting<S: Source>(given: &S) -> Result<Setting> {
-    completed(usual(given), given)
+/// The given experiment, completed with the fields of the preset that it was made from, or else of the usual one; or the preset
+/// of this name. Beside it, the preset.
+pub fn setting<S: Source>(given: &S) -> Result<(Setting, Preset)> {
+    match given.text() {
+        Some(name) => named(Preset::find(&name)?),
+        None => Ok((completed(usual(given), given)?, usual(given))),
+    }
+}
+
+fn named(preset: Preset) -> Result<(Setting, Preset)> {
+    Ok((Setting::new(preset.experiment())?, preset))
 }
 
 /// The experiment of a preset, or the given fields of one with every other field filled in. With both, in whichever order,
 /// the preset is what fills in; without, the one that the fields were made from, or else `velocity-limits`. Beside it, what filled in.
 pub fn experiment<S: Source>(given: &S, other: &S) -> Result<(Setting, Preset)> {
     let preset = preset(given, other)?;
-    let setting = match given.text() {
-        Some(_) if other.is_given() => completed(preset, other),
-        Some(_) => Setting::new(preset.experiment()),
-        None => completed(preset, given),
+    let fields = match given.text() {
+        Some(_) if other.is_given() => other,
+        Some(_) => return named(preset),
+        None => given,
     };
-    Ok((setting?, preset))
+    Ok((completed(preset, fields)?, preset))
 }
 
 fn preset<S: Source>(given: &S, other: &S) -> Result<Preset> {
@@ -31,12 +39,12 @@ fn preset<S: Source>(given: &S, other: &S) -> Result<Preset> {
 }
 
 /// The preset that the fields were made from, or else `velocity-limits`.
-pub fn usual<S: Source>(given: &S) -> Preset {
+fn usual<S: Source>(given: &S) -> Preset {
     given.origin().and_then(Preset::named).unwrap_or(Preset::VelocityLimits)
 }
 
 /// The given fields of an experiment, with every other field filled in from this preset.
-pub fn completed<S: Source>(preset: Preset, given: &S) -> Result<Setting> {
+fn completed<S: Source>(preset: Preset, given: &S) -> Result<Setting> {
     let mut experiment: Experiment = preset.experiment();
     experiment.read(given)?;
     Setting::new(experiment)

@@ -8,7 +8,8 @@ mod declarations;
 
 pub use calls::*;
 pub use declarations::declarations;
-pub use given::{completed, experiment, generation, number, setting, start, steps, usual};
+pub use given::{experiment, generation, number, setting, start, steps};
 
-#[cfg(target_arch = "wasm32")] // natively there is no boundary
+#[cfg(all(target_arch = "wasm32", any(feature = "javascript", feature = "bytes")))]
+// else there is no boundary
 pub(crate) use calls::calls;

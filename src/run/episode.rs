@@ -84,7 +84,10 @@ const MOST_HEADING: f64 = 1e6;
 impl EpisodeState {
     pub(crate) fn new(setting: &Setting, gains: Gains, start: u32) -> Self {
         let experiment = setting.experiment();
-        let posture = experiment.starts[start as usize];
+        let starts = &experiment.starts;
+        let posture = starts.get(start as usize);
+        let posture =
+            *posture.unwrap_or_else(|| panic!("start {start} of {}, counted from 0", starts.len()));
         let robot = setting.robot_at(posture);
         Self {
             gains,

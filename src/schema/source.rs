@@ -16,7 +16,7 @@ pub trait Source: Sized {
     fn element(&self, index: usize) -> Self;
     /// Whether it is an object with no fields but these.
     fn keys(&self, known: &[&'static str]) -> Keys;
-    /// The field with this name.
+    /// The field with this name; where there is none, what is of the kind [`Kind::Missing`].
     fn field(&self, name: &'static str) -> Self;
 
     /// The name of what it was made from, where that is remembered.

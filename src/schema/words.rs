@@ -34,7 +34,7 @@ macro_rules! words {
         }
     ) => {
         $(#[doc = $about])+
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum $name {
             $($(#[doc = $doc])+ $variant,)+
         }
@@ -63,7 +63,22 @@ macro_rules! words {
         }
 
         const _: () = {
-            use crate::schema::{Plain, Types, Writer};
+            use crate::schema::{InvalidInput, Plain, Types, Writer, quoted};
+
+            impl core::fmt::Display for $name {
+                fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                    f.pad(self.word())
+                }
+            }
+
+            impl core::str::FromStr for $name {
+                type Err = InvalidInput;
+
+                fn from_str(word: &str) -> Result<Self, InvalidInput> {
+                    let refused = || InvalidInput::new(stringify!($name), Self::expected(), quoted(word));
+                    Self::named(word).ok_or_else(refused)
+                }
+            }
 
             impl Plain for $name {
                 fn typescript(types: &mut Types) -> String {

@@ -9,6 +9,9 @@ use super::settings::EvolutionSettings;
 
 /// A search for the gains of least cost. It asks for new solutions to be driven, and is told what they cost.
 ///
+/// Methods are added in this room alone, beside the others (CONTRIBUTING.md): what they ask for is made of parts that nobody
+/// else can put together.
+///
 /// What it asks for in a generation depends on where it stands, the settings with their seed and the generation's number
 /// alone; so a search that is kept can go on from there at any time, to the same bits.
 pub trait Search: Send + Sync {

@@ -9,6 +9,7 @@ mod read;
 
 mod task;
 
+use js_sys::Reflect;
 use serde_wasm_bindgen::to_value;
 use wasm_bindgen::prelude::*;
 
@@ -18,7 +19,7 @@ use self::read::Given;
 use self::write::plain;
 use crate::outside::{self, number};
 use crate::robot::Gains;
-use crate::run::{EpisodeState, Experiment, PAPER_RESULTS, Setting};
+use crate::run::{EpisodeState, Experiment, PAPER_RESULTS, Preset, Setting};
 use crate::schema::InvalidInput;
 use crate::search::{self, LearningRates};
 use crate::study::{self, Circle, Grid};
@@ -135,11 +136,11 @@ impl Simulation {
     /// A robot at rest at `starts[start]` (0 if left out).
     #[wasm_bindgen(constructor)]
     pub fn new(
-        #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "PartialExperiment | Preset")] experiment: JsValue,
         #[wasm_bindgen(unchecked_param_type = "Gains")] gains: JsValue,
         #[wasm_bindgen(js_name = "start", unchecked_optional_param_type = "number")] from: JsValue,
     ) -> Result<Simulation> {
-        let setting = outside::setting(&Given::of(experiment))?;
+        let (setting, _) = outside::setting(&Given::of(experiment))?;
         let from = outside::start(&setting, &Given::of(from))?;
         let state = EpisodeState::new(&setting, Gains::read_one(&Given::of(gains))?, from);
         Ok(Self { setting, state })
@@ -166,28 +167,39 @@ impl Simulation {
 
 /// A run of evolutionary programming, or of a rival, that remembers every generation.
 #[wasm_bindgen]
-pub struct Evolution(study::Evolution);
+pub struct Evolution {
+    run: study::Evolution,
+    /// What filled in its experiment.
+    preset: Preset,
+}
 
 #[wasm_bindgen]
 impl Evolution {
     /// Generation 0: the random initial population, driven.
     #[wasm_bindgen(constructor)]
     pub fn new(
-        #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "PartialExperiment | Preset")] experiment: JsValue,
     ) -> Result<Evolution> {
-        Ok(Self(study::Evolution::new(outside::setting(&Given::of(experiment))?)))
+        let (setting, preset) = outside::setting(&Given::of(experiment))?;
+        Ok(Self { run: study::Evolution::new(setting), preset })
+    }
+
+    /// The experiment with every field filled in.
+    #[wasm_bindgen(getter, unchecked_return_type = "Experiment")]
+    pub fn experiment(&self) -> JsValue {
+        origin::remembered(self.run.setting().experiment(), self.preset)
     }
 
     /// The newest generation.
     #[wasm_bindgen(getter)]
     pub fn generation(&self) -> u32 {
-        self.0.generation()
+        self.run.generation()
     }
 
     /// How many generations are computed again at most for one that is asked for: every so many are kept.
     #[wasm_bindgen(getter, js_name = "mostDrivenAgain")]
     pub fn most_driven_again(&self) -> u32 {
-        self.0.most_driven_again()
+        self.run.most_driven_again()
     }
 
     /// Evolves one generation, or so many; the newest in short.
@@ -196,7 +208,7 @@ impl Evolution {
         &mut self,
         #[wasm_bindgen(unchecked_optional_param_type = "number")] generations: JsValue,
     ) -> Result<JsValue> {
-        Ok(plain(&self.0.advance(outside::steps(&Given::of(generations), "generations")?)?))
+        Ok(plain(&self.run.advance(outside::steps(&Given::of(generations), "generations")?)?))
     }
 
     /// One generation in short; the newest if left out.
@@ -205,7 +217,7 @@ impl Evolution {
         &self,
         #[wasm_bindgen(unchecked_optional_param_type = "number")] generation: JsValue,
     ) -> Result<JsValue> {
-        Ok(plain(&self.0.statistics(self.numbered(generation)?)?))
+        Ok(plain(&self.run.statistics(self.numbered(generation)?)?))
     }
 
     /// One generation in full; the newest if left out.
@@ -214,7 +226,7 @@ impl Evolution {
         &self,
         #[wasm_bindgen(unchecked_optional_param_type = "number")] generation: JsValue,
     ) -> Result<JsValue> {
-        Ok(plain(&self.0.record(self.numbered(generation)?)?))
+        Ok(plain(&self.run.record(self.numbered(generation)?)?))
     }
 
     /// The population that a generation left, best ranked first; the newest if left out.
@@ -223,22 +235,27 @@ impl Evolution {
         &self,
         #[wasm_bindgen(unchecked_optional_param_type = "number")] generation: JsValue,
     ) -> Result<JsValue> {
-        Ok(plain(&self.0.population(self.numbered(generation)?)?))
+        Ok(plain(&self.run.population(self.numbered(generation)?)?))
     }
 
     /// 16 hexadecimal digits over the numbers that decide the history: parents, offspring, opponents, wins and survivors of every
     /// generation. The same everywhere for the same experiment and generation.
     pub fn hash(&self) -> String {
-        self.0.hash()
+        self.run.hash()
     }
 
     fn numbered(&self, given: JsValue) -> Result<u32, InvalidInput> {
-        outside::generation(&self.0, &Given::of(given))
+        outside::generation(&self.run, &Given::of(given))
     }
 }
 
 impl From<InvalidInput> for JsValue {
     fn from(error: InvalidInput) -> Self {
-        js_sys::Error::new(&error.message().written(write::digits)).into()
+        let message = error.message().written(write::digits);
+        let told = js_sys::Error::new(&message).into();
+        // A fresh object takes every property.
+        let field = error.field.as_str().into();
+        let _ = write::named("field", |name| Reflect::set(&told, name, &field));
+        told
     }
 }

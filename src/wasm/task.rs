@@ -22,11 +22,10 @@ impl Task {
     /// Throws an Error that names the field when one is unknown, of a wrong type, or out of its range.
     #[wasm_bindgen(constructor)]
     pub fn new(
-        #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "PartialExperiment | Preset")] experiment: JsValue,
     ) -> Result<Task> {
-        let given = Given::of(experiment);
-        let preset = outside::usual(&given);
-        Ok(Self { setting: outside::completed(preset, &given)?, preset })
+        let (setting, preset) = outside::setting(&Given::of(experiment))?;
+        Ok(Self { setting, preset })
     }
 
     /// The experiment with every field filled in.
@@ -61,7 +60,7 @@ macro_rules! tasks {
             #[doc = $doc]
             #[wasm_bindgen(js_name = $js, unchecked_return_type = $told)]
             pub fn $name(
-                #[wasm_bindgen(unchecked_param_type = "PartialExperiment")] experiment: JsValue,
+                #[wasm_bindgen(unchecked_param_type = "PartialExperiment | Preset")] experiment: JsValue,
                 $(#[wasm_bindgen(unchecked_param_type = $type)] $given: JsValue,)+
                 $(#[wasm_bindgen(unchecked_optional_param_type = "number")] $last: JsValue,)?
             ) -> Result<JsValue> {

@@ -89,6 +89,7 @@ export function createRow(gain, index, events, unit = '') {
         `${(100 * (Math.min(Math.max(at, low), high) - low)) / (high - low)}%`;
       const from = styled('--from', percent(Math.min(0, value)));
       const to = styled('--to', percent(Math.max(0, value)));
+      const zero = styled('--zero', percent(0));
       const text = shown(value);
       current = value;
       const before = /** @type {HTMLInputElement | null} */ (row.querySelector('[type="text"]'));
@@ -98,7 +99,7 @@ export function createRow(gain, index, events, unit = '') {
           <label for="gain-${id}">${gain.letter}<sub>${gain.index}</sub></label>
           <input id="slider-${id}" type="range" step="0.01" aria-label=${gain.name}
             aria-valuetext=${unit ? `${text} ${unit}` : nothing}
-            .min=${String(low)} .max=${String(high)} .value=${live(String(value))} ${from} ${to}
+            .min=${String(low)} .max=${String(high)} .value=${live(String(value))} ${from} ${to} ${zero}
             @pointerdown=${on.hold} @keydown=${on.key} @input=${on.slide} @change=${events.onSlid}>
           <input id="gain-${id}" type="text" inputmode=${keysFor(true)} autocomplete="off" spellcheck="false"
             aria-label=${strings.gainInputLabel(gain.name)} aria-describedby="gain-${id}-error"

@@ -21,6 +21,38 @@ test('the experiment of a task, too, is completed from the preset that it was ma
   assert.equal(acceleration({ ...again, limits }), 5);
 });
 
+test('wherever an experiment is given, the name of a preset will do', () => {
+  const gains = [3, 0.1, 5];
+  assert.deepEqual(core.evaluate('acceleration-limits', gains), core.evaluate(slow, gains));
+  assert.notDeepEqual(core.evaluate('acceleration-limits', gains), core.evaluate(fast, gains));
+  const robots = [new core.Simulation('acceleration-limits', gains), new core.Simulation(slow, gains)];
+  const [named, whole] = robots.map((robot) => robot.step(50));
+  assert.deepEqual(named, whole);
+  for (const make of [core.Task, core.Evolution]) {
+    const { experiment } = new make('acceleration-limits');
+    assert.deepEqual(experiment, slow);
+    assert.equal(acceleration({ ...experiment, limits }), 5);
+  }
+  const expected = "experiment must be 'velocity-limits' or 'acceleration-limits', but was 'none'";
+  // @ts-expect-error there is no such preset
+  for (const refused of [() => new core.Task('none'), () => core.evaluate('none', gains)])
+    assert.throws(refused, { message: expected, field: 'experiment' });
+});
+
+test('what is refused has the name of its field by itself', () => {
+  const wrong = { starts: [{}, { theta: Number.NaN }] };
+  assert.throws(() => core.experiment(wrong), {
+    message: 'starts[1].theta must be a number from -100 to 100 rad, but was NaN',
+    field: 'starts[1].theta',
+  });
+  assert.throws(() => core.evaluate({}, [1, 2]), { field: 'gains' });
+});
+
+test('an evolution has its experiment, with every field filled in', () => {
+  const evolution = new core.Evolution({ goal: { x: 3 } });
+  assert.deepEqual(evolution.experiment, core.experiment({ goal: { x: 3 } }));
+});
+
 test('a mix is completed from the preset of most of its parts, whichever come first', () => {
   const { starts, evolution } = fast;
   assert.equal(acceleration({ ...slow, starts, limits }), 5);

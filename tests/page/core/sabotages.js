@@ -40,12 +40,12 @@ const withRun = (change) => ({
   ...core,
   simulate(experiment, gains, start) {
     const run = core.simulate(experiment, gains, start);
-    change(run, experiment.sampleTime ?? 0.01);
+    change(run, core.experiment(experiment).sampleTime);
     return run;
   },
   simulateAll(experiment, gains, start) {
     const runs = core.simulateAll(experiment, gains, start);
-    for (const run of runs) change(run, experiment.sampleTime ?? 0.01);
+    for (const run of runs) change(run, core.experiment(experiment).sampleTime);
     return runs;
   },
 });
@@ -105,7 +105,9 @@ export const sabotages = {
     {
       ...core,
       evaluate: (experiment, gains) =>
-        core.evaluate(experiment, gains).map((cost) => (Number(experiment.goal?.y) < 0 ? next(cost) : cost)),
+        core
+          .evaluate(experiment, gains)
+          .map((cost) => (core.experiment(experiment).goal.y < 0 ? next(cost) : cost)),
     },
     ['mirror'],
   ],

@@ -135,6 +135,7 @@ const calls = {
   version: [core.version],
   randomSeed: [core.randomSeed],
   'Task.experiment': [() => task.experiment],
+  'Evolution.experiment': [() => new core.Evolution(e).experiment],
   'Simulation.step': [() => robot(1), () => robot(300)],
   'Evolution.generation': [() => evolution.generation],
   'Evolution.mostDrivenAgain': [() => evolution.mostDrivenAgain],

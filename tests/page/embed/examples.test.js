@@ -78,6 +78,11 @@ pageTest('examples/plain/element.html asks its figure and says what it hears', (
       'the figure has its height',
       () => document.querySelector('ep-locomotion')?.shadowRoot?.querySelector('iframe')?.style.height,
     );
+    // What stands between its tags is for who has no element.
+    assert.equal(
+      await page.evaluate(() => document.querySelector('ep-locomotion a')?.checkVisibility()),
+      false,
+    );
     await press('#ten', seed7, 10);
     const goal = { x: 3, y: 1, theta: 0 };
     await press('#far', experiment({ goal, evolution: { seed: 7 } }), 0);

@@ -160,7 +160,10 @@ pageTest('drive, lock in, predict; every number is the core’s', async (page) =
   const best = shown(Math.min(...costs));
   assert.deepEqual([await textOf(page, 'duel-drives'), await textOf(page, 'duel-best')], ['9', best]);
   assert.ok(!(await page.evaluate(() => document.getElementById('duel-table')?.checkVisibility())));
-  assert.match(await textOf(page, 'duel-beaten'), /You have beaten the paper’s evolved gains \(20\.\d+\)\./);
+  assert.match(
+    await textOf(page, 'duel-beaten'),
+    /Your J is below that of the paper’s evolved gains \(20\.\d+\)\./,
+  );
 
   await page.click('#duel-lock');
   await drive(page, 'ky', 2);

@@ -97,6 +97,7 @@ export const shownOn = (page) =>
       ranks: text('#generation-details .ranks li'),
       legend: text('#legend li')[0],
       rival: text('#legend .dashed')[0],
+      others: text('#legend .thin')[0],
     };
   });
 

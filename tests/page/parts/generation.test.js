@@ -90,6 +90,9 @@ pageTest('every number of every phase is the record of the core', async (page) =
     await go(page, 'tournament');
     seen = await shownOn(page);
     assert.equal(seen.bouts.length, bouts);
+    // Who is met more than once drives once.
+    const met = new Set(opponents[chosen]).size;
+    assert.ok(seen.others.startsWith(`its ${met} opponents in ${bouts} bouts`), seen.others);
     for (const [i, text] of seen.bouts.entries()) {
       const opponent = opponents[chosen][i];
       assert.ok(text.includes(nameOf(opponent)), text);

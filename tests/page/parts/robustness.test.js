@@ -150,6 +150,9 @@ pageTest('the keyboard moves the cursor from cell to cell and lets the robot dri
 engineTest('the dial chooses one heading, of which the map shows the drives', async (page) => {
   await openMap(page);
   await page.click('#robustness-headings-one');
+  // The number stays that of all.
+  assert.equal(await page.text('#robustness-share'), ep().percent);
+  assert.equal(await page.text('#robustness-summary'), 'arrive, of all headings, with the paper’s EP gains');
   await page.focus('#robustness-rose');
   await page.press(Key.ARROW_LEFT, Key.ARROW_LEFT, Key.ARROW_LEFT);
   await clickCell(page, 25, 25);

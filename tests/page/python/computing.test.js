@@ -88,6 +88,24 @@ test('tables of fields, the paper’s results and trials are those of the core',
   });
 });
 
+test('a range stands for its two ends, and what is made says what it is', options, () => {
+  const [named, listed, rows, evolution, task] = valuesFrom(
+    [
+      "ep.Task({}).trials({'seeds': range(1, 3), 'drives': 40})",
+      "ep.Task({}).trials({'seeds': [1, 3], 'drives': 40})",
+      "(lambda axis: ep.Task({}).landscape({'x': {'gain': 'kx', **axis}, 'y': {'gain': 'ky', **axis}, 'gains': [3, 1, 4], 'rows': range(1, 3)}))({'from': 1, 'to': 2, 'count': 3})",
+      "repr(ep.Evolution({'evolution': {'seed': 7}}))",
+      "repr(ep.Task('acceleration-limits'))",
+    ].map((expression) => ({ expression })),
+  );
+  assert.equal(named.length, 2);
+  assert.deepEqual(named, listed);
+  assert.equal(rows.length, 6);
+  const best = new core.Evolution({ evolution: { seed: 7 } }).statistics().best.cost;
+  assert.equal(evolution, `<Evolution: ep, seed 7, generation 0, J ${Number(best.toPrecision(6))}>`);
+  assert.equal(task, '<Task of 1 start, shim-kim>');
+});
+
 test('what the README shows runs, and says what Node says', options, () => {
   const [, lines] = /```python\n(import ep_locomotion as ep\n.*?)```/s.exec(readme) ?? [];
   const expressions = /** @type {string} */ (lines)

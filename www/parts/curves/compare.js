@@ -86,7 +86,7 @@ function tableOf(columns, settingTexts) {
       <thead><tr><td></td>${columns.map(headOf)}</tr></thead>
       <tbody>
         ${resultRows(columns).map(rowOf)}
-        <tr><th class="group" colspan=${columns.length + 1} scope="rowgroup">${differing.length > 0 ? words.settingsThatDiffer : words.sameSettings}</th></tr>
+        ${columns.length > 1 ? html`<tr><th class="group" colspan=${columns.length + 1} scope="rowgroup">${differing.length > 0 ? words.settingsThatDiffer : words.sameSettings}</th></tr>` : nothing}
         ${differing.map(rowOf)}
       </tbody>
     </table>`;

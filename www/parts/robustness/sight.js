@@ -66,17 +66,18 @@ export function createSight(element, store) {
     const compared = rival?.spec === rivalSpec ? rival.tally.share : null;
     // Nobody waits for what could not be computed.
     const isOver = own.message !== '' && compared === null;
+    const summary = words.summary(nameOf(driver), own.heading !== null);
     if (follows) ofSurvey = { share: words.none, summary: words.tracking, sides: '' };
     else if (survey?.spec === spec)
       ofSurvey = {
         share: words.percent(survey.tally.share),
-        summary: words.summary(nameOf(driver)),
+        summary: summary,
         sides: words.sides(sharesBySide(survey.grid, spec.experiment.goal, survey.tally.count)),
       };
     // Before the first one its line stands where it will, but where none can come.
     const before = own.message
       ? { share: '', summary: '', sides: '' }
-      : { share: words.waits, summary: words.summary(nameOf(driver)), sides: '' };
+      : { share: words.waits, summary: summary, sides: '' };
     const shown = {
       ...(ofSurvey ?? before),
       note: noteText(own, spec),

@@ -1,4 +1,5 @@
 // The controller in C99, for a computer or, with float, for a small processor.
+/** @import { Experiment } from '../../core/engine.js' */
 /** @import { Controller } from './controller.js' */
 /** @import { Pieces, Syntax, Words } from './parts.js' */
 import { piecesOf, rows, slowly } from './parts.js';
@@ -80,7 +81,7 @@ Velocity command(Pose pose, Pose goal, Velocity previous)
     // ${words.law[law]}
     const Pose e = error(pose, goal);
     const real xe = e.x, ye = e.y, te = e.theta;
-    ${isPaper ? paperLaw : kanayamaRule}
+    ${laws[law]}
     ${when(isLimited, `// ${words.limits}`)}
     ${when(limits.speed !== null, 'v = clamp(v, -SPEED, SPEED);')}
     ${when(limits.turnRate !== null, 'w = clamp(w, -TURN_RATE, TURN_RATE);')}
@@ -91,14 +92,16 @@ Velocity command(Pose pose, Pose goal, Velocity previous)
 }`;
 }
 
-const paperLaw = `const real s = sin(te), c = cos(te);
+/** @type {Record<Experiment['law'], string>} */
+const laws = {
+  'shim-kim': `const real s = sin(te), c = cos(te);
 const real cosec = inverse(s), sec = inverse(c);
 const real steer = KY * ye * ye * ye * cosec;
 real v = KX * xe * c - steer + V_R * sec;
-real w = W_R + KTHETA * s + steer * xe * c * cosec + KX * xe * ye * c + ye * V_R * sec;`;
-
-const kanayamaRule = `real v = V_R * cos(te) + KX * xe;
-real w = W_R + V_R * (KY * ye + KTHETA * sin(te));`;
+real w = W_R + KTHETA * s + steer * xe * c * cosec + KX * xe * ye * c + ye * V_R * sec;`,
+  kanayama: `real v = V_R * cos(te) + KX * xe;
+real w = W_R + V_R * (KY * ye + KTHETA * sin(te));`,
+};
 
 /** @param {Words['comments']} words */
 const inverse = (words) => `${said(words.inverse)}

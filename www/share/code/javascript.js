@@ -1,4 +1,5 @@
 // The controller in JavaScript, a module for Node and for browsers.
+/** @import { Experiment } from '../../core/engine.js' */
 /** @import { Controller } from './controller.js' */
 /** @import { Pieces, Syntax, Words } from './parts.js' */
 import { piecesOf, rows, slowly } from './parts.js';
@@ -46,7 +47,7 @@ ${said(words.wheels)}
 export function command(pose, goal, previous) {
   // ${words.law[law]}
   const { xe, ye, te } = error(pose, goal);
-  ${isPaper ? paperLaw : kanayamaRule}
+  ${laws[law]}
   ${when(isLimited, `// ${words.limits}`)}
   ${when(limits.speed !== null, 'v = clamp(v, -SPEED, SPEED);')}
   ${when(limits.turnRate !== null, 'w = clamp(w, -TURN_RATE, TURN_RATE);')}
@@ -71,14 +72,16 @@ ${when(isPaper, inverse(words))}
 ${when(isLimited || isPaper, clamp(words))}`;
 }
 
-const paperLaw = `const [s, c] = [Math.sin(te), Math.cos(te)];
+/** @type {Record<Experiment['law'], string>} */
+const laws = {
+  'shim-kim': `const [s, c] = [Math.sin(te), Math.cos(te)];
 const [cosec, sec] = [inverse(s), inverse(c)];
 const steer = KY * ye ** 3 * cosec;
 let v = KX * xe * c - steer + V_R * sec;
-let w = W_R + KTHETA * s + steer * xe * c * cosec + KX * xe * ye * c + ye * V_R * sec;`;
-
-const kanayamaRule = `let v = V_R * Math.cos(te) + KX * xe;
-let w = W_R + V_R * (KY * ye + KTHETA * Math.sin(te));`;
+let w = W_R + KTHETA * s + steer * xe * c * cosec + KX * xe * ye * c + ye * V_R * sec;`,
+  kanayama: `let v = V_R * Math.cos(te) + KX * xe;
+let w = W_R + V_R * (KY * ye + KTHETA * Math.sin(te));`,
+};
 
 /** @param {Words['comments']} words */
 const inverse = (words) => `${said(words.inverse)}

@@ -1,4 +1,5 @@
 // The controller for MATLAB and for GNU Octave: a function file, whose functions of its own follow it.
+/** @import { Experiment } from '../../core/engine.js' */
 /** @import { Controller } from './controller.js' */
 /** @import { Pieces, Syntax, Words } from './parts.js' */
 import { piecesOf, rows, slowly } from './parts.js';
@@ -53,7 +54,7 @@ ${said(words.wheels)}
 p = numbers;
 % ${words.law[law]}
 [xe, ye, te] = error_posture(pose, goal);
-${isPaper ? paperLaw : kanayamaRule}
+${laws[law]}
 ${when(isLimited, `% ${words.limits}`)}
 ${when(limits.speed !== null, 'v = clamp(v, -p.SPEED, p.SPEED);')}
 ${when(limits.turnRate !== null, 'w = clamp(w, -p.TURN_RATE, p.TURN_RATE);')}
@@ -80,14 +81,16 @@ ${when(isPaper, inverse(words))}
 ${when(isLimited || isPaper, clamp(words))}`;
 }
 
-const paperLaw = `s = sin(te); c = cos(te);
+/** @type {Record<Experiment['law'], string>} */
+const laws = {
+  'shim-kim': `s = sin(te); c = cos(te);
 cosec = inverse(s, p.SMALLEST); sec = inverse(c, p.SMALLEST);
 steer = p.KY * ye^3 * cosec;
 v = p.KX * xe * c - steer + p.V_R * sec;
-w = p.W_R + p.KTHETA * s + steer * xe * c * cosec + p.KX * xe * ye * c + ye * p.V_R * sec;`;
-
-const kanayamaRule = `v = p.V_R * cos(te) + p.KX * xe;
-w = p.W_R + p.V_R * (p.KY * ye + p.KTHETA * sin(te));`;
+w = p.W_R + p.KTHETA * s + steer * xe * c * cosec + p.KX * xe * ye * c + ye * p.V_R * sec;`,
+  kanayama: `v = p.V_R * cos(te) + p.KX * xe;
+w = p.W_R + p.V_R * (p.KY * ye + p.KTHETA * sin(te));`,
+};
 
 /** @param {Words['comments']} words */
 const inverse = (words) => `function r = inverse(s, smallest)

@@ -1,4 +1,5 @@
 // The controller in Python 3, which needs nothing but its own library.
+/** @import { Experiment } from '../../core/engine.js' */
 /** @import { Controller } from './controller.js' */
 /** @import { Pieces, Syntax, Words } from './parts.js' */
 import { piecesOf, rows, slowly } from './parts.js';
@@ -48,7 +49,7 @@ def command(pose, goal, previous):
     """
     # ${words.law[law]}
     xe, ye, te = error(pose, goal)
-    ${isPaper ? paperLaw : kanayamaRule}
+    ${laws[law]}
     ${when(isLimited, `# ${words.limits}`)}
     ${when((limits.acceleration ?? limits.turnAcceleration) !== null, 'v0, w0 = previous')}
     ${when(limits.speed !== null, 'v = clamp(v, -SPEED, SPEED)')}
@@ -77,14 +78,16 @@ ${when(isPaper, inverse(words))}
 ${when(isLimited, clamp(words))}`;
 }
 
-const paperLaw = `s, c = math.sin(te), math.cos(te)
+/** @type {Record<Experiment['law'], string>} */
+const laws = {
+  'shim-kim': `s, c = math.sin(te), math.cos(te)
 cosec, sec = inverse(s), inverse(c)
 steer = KY * ye**3 * cosec
 v = KX * xe * c - steer + V_R * sec
-w = W_R + KTHETA * s + steer * xe * c * cosec + KX * xe * ye * c + ye * V_R * sec`;
-
-const kanayamaRule = `v = V_R * math.cos(te) + KX * xe
-w = W_R + V_R * (KY * ye + KTHETA * math.sin(te))`;
+w = W_R + KTHETA * s + steer * xe * c * cosec + KX * xe * ye * c + ye * V_R * sec`,
+  kanayama: `v = V_R * math.cos(te) + KX * xe
+w = W_R + V_R * (KY * ye + KTHETA * math.sin(te))`,
+};
 
 /** @param {Words['comments']} words */
 const inverse = (words) => `def inverse(s):

@@ -6,7 +6,7 @@ import { costText, fixed, threeDigits } from '../../../words/en/numbers.js';
 
 export const landscape = {
   texts: {
-    map: `The map with which this step opens: every point of it is a robot. {kx} grows to the right, {kt} upwards, {ky} is the same everywhere. The colour is its {J}; dark is good. {=drives} robots have driven for the picture. *Press anywhere, and that robot drives.*
+    map: `Every point of the map with which this step opens is a robot. {kx} grows to the right, {kt} upwards, {ky} is the same everywhere. The colour is its {J}; dark is good. {=drives} robots have driven for the picture. *Press anywhere, and that robot drives.*
 
 The white dots are the population. *Press Run* and watch it walk: the line is the path of its best robot. It is in generation {=generation} now, after {=spent} drives. And it *never sees the map*. Evolution knows {J} only where one of its robots stands.`,
     shape: `Three things on the opening map deserve a name. The *valley* is dark: {=floor}\u00a0% of that map cost at most 5 % more than its lowest point (four short strokes mark it), so very different gains can be almost equally good. At the *edge* dark turns yellow at once: beyond it the robots do not arrive, and pay for all {=horizon} seconds. The *ripples* come from the law: it divides by sin {te}, and where {te} passes through zero just at a sample, the wheels run at their limits for that sample, which costs energy.

@@ -86,7 +86,8 @@ export const luckText = (expected, wins) =>
 export const drivingText = (name, generation) => `${name} of generation ${generation}`;
 
 /** @param {Anatomy} anatomy @param {Phase} phase @param {Others} others */
-export function othersText({ method }, phase, { drawn, all, isAmong, arrived }) {
+export function othersText({ method, record }, phase, { drawn, all, isAmong, arrived }) {
+  const bouts = record.opponents[0]?.length ?? 0;
   const isOwn = method === 'ep';
   const before = isOwn ? ['parent', 'parents'] : ['robot', 'robots'];
   const staying = method === 'random' ? ['draw', 'draws'] : ['one that stays', 'that stay'];
@@ -94,7 +95,7 @@ export function othersText({ method }, phase, { drawn, all, isAmong, arrived }) 
     parents: before,
     mutation: before,
     drive: isOwn ? ['offspring', 'offspring'] : ['trial', 'trials'],
-    tournament: ['opponent', 'opponents'],
+    tournament: ['opponent', `opponents in ${bouts} bouts`],
     ranking: ['one', ''],
     survivors: isOwn ? ['survivor', 'survivors'] : staying,
   }[phase];

@@ -41,8 +41,9 @@ export const computing = 'the robots are driving …';
 export const failed = (message, kept) =>
   `${kept ? 'The map could not be computed anew' : 'This could not be computed'}: ${message}`;
 
-/** What follows the share. @param {string} name */
-export const summary = (name) => `arrive with ${withArticle(name)}`;
+/** What follows the share, which is of all headings also where the map shows one. @param {string} name @param {boolean} isOne */
+export const summary = (name, isOne) =>
+  `arrive${isOne ? ', of all headings,' : ''} with ${withArticle(name)}`;
 
 /** @param {string} name @param {number | null} share */
 export const rivalText = (name, share) =>

@@ -41,8 +41,8 @@ export const computing = '로봇이 주행하고 있습니다…';
 export const failed = (message, kept) =>
   `${kept ? '지도를 새로 계산하지 못했습니다' : '계산하지 못했습니다'}: ${message}`;
 
-/** What follows the share. @param {string} name */
-export const summary = (name) => `도착 비율(${name})`;
+/** What follows the share, which is of all headings also where the map shows one. @param {string} name @param {boolean} isOne */
+export const summary = (name, isOne) => `${isOne ? '모든 방향각의 ' : ''}도착 비율(${name})`;
 
 /** @param {string} name @param {number | null} share */
 export const rivalText = (name, share) => `${name}: ${share === null ? '…' : percent(share)}`;
