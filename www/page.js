@@ -7,7 +7,7 @@ import { tryNow } from './core/pending.js';
 import { sayFailed } from './embed/post.js';
 import { takeInstead, showInstead, watchCore } from './instead.js';
 import { byId } from './kit/elements.js';
-import { steadySliders } from './kit/finger.js';
+import { keepHeld, steadySliders } from './kit/finger.js';
 import { createFocusKeeper } from './kit/focus.js';
 import { isEmbedded, isStill } from './kit/host.js';
 import { createAccumulator, createApart, createFrameLoop, createTurns, pause } from './kit/loop.js';
@@ -91,6 +91,7 @@ async function createSeen({ actions, tools, sight, seenScene }, redraw, addressO
   const onLesson = () => go(links.linkOfStep(store.get().lastStep));
   const order = [firstPage, 'lesson', ...links.pages.filter((name) => name !== firstPage)];
   steadySliders();
+  keepHeld();
   const lesson = createLesson({ ...tools, go });
   const made = createParts(parts, tools, sight.renew);
   const exercise = createExercise({

@@ -1,4 +1,5 @@
-// A finger that comes down may be about to scroll the page: before it goes sideways, or is lifted, it changes nothing.
+// A finger that comes down may be about to scroll the page: before it goes sideways, or is lifted, it changes nothing. And what a pointer
+// holds is moved by the page alone.
 
 /** In pixels, so far a finger moves that means nothing. */
 const slop = 6;
@@ -42,4 +43,21 @@ export function steadySliders() {
   on(['input', 'change'], (event) => {
     if (event.target === held?.slider) event.stopImmediatePropagation();
   });
+}
+
+/** What is moved by hand, and no copy of it. */
+const held = 'input[type="range"], button, canvas, svg, [role="application"], [role="slider"]';
+
+/** Where something is selected, browsers take it along from whatever of it is pressed, and the page hears no more of the pointer. */
+export function keepHeld() {
+  let isHeld = false;
+  const capture = { capture: true };
+  addEventListener(
+    'pointerdown',
+    ({ target }) => {
+      isHeld = target instanceof Element && target.closest(held) !== null;
+    },
+    capture,
+  );
+  addEventListener('dragstart', (event) => isHeld && event.preventDefault(), capture);
 }

@@ -8,3 +8,6 @@ export const plainText = (text) =>
 
 /** The same in one line. @param {string} text */
 export const tidyText = (text) => plainText(text).replace(/\s+/g, ' ').trim();
+
+/** The beginning of what somebody has given, which may be very long. @param {string} text */
+export const beginningOf = (text) => (text.length > 40 ? `${text.slice(0, 40)}…` : text);

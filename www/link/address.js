@@ -12,6 +12,7 @@ import { tidyText } from '../kit/text.js';
 import { takeAlong, takeUp } from './crossing.js';
 import { createLanguageSwitch } from './language-switch.js';
 import { inLanguage, withExercise } from './link.js';
+import { keepLeft, takeLeft } from './reload.js';
 import { isEmpty } from '../run/exercise.js';
 import { asked, caughtUp } from '../run/state.js';
 import { mostOfWho } from '../run/variant.js';
@@ -57,6 +58,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
   const changed = watch();
   /** The page is about to be loaded again, and what is laid beside its address stays there. */
   const away = { leaves: false };
+  takeLeft();
   /** None where the address still tells of the run before. @type {string | null} */
   let written = location.hash.slice(1);
   /** @type {Place} */
@@ -109,6 +111,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
     if (location.hash.slice(1) !== written) open();
   });
   const problems = open();
+  keepLeft(() => (away.leaves ? null : linkNow(written)));
 
   return {
     /** What was wrong with the first link, in words. */

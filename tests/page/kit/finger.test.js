@@ -1,6 +1,6 @@
 // A finger that scrolls the page changes nothing on the way; one that holds something moves it.
 import assert from 'node:assert/strict';
-import { pageTest } from '../harness/browsers.js';
+import { engineTest, pageTest } from '../harness/browsers.js';
 import { openContest, runContest, link as contest } from '../parts/contest-page.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -63,4 +63,28 @@ pageTest('a finger over the picture of a contest leaves the target where it is',
   ]);
   await page.until('the page is scrolled', (from) => scrollY !== from, top);
   assert.equal(await target(), before);
+});
+
+engineTest('where everything is selected, what is held is moved all the same', async (page) => {
+  await page.open('#lab&v=1');
+  for (const [what, key] of [
+    ['#goal-position', 'goal.x'],
+    ['#slider-kx', 'gains'],
+  ]) {
+    await page.evaluate(() => getSelection()?.selectAllChildren(document.body));
+    const { x, y } = await page.evaluate((selector) => {
+      const { width, height } = /** @type {Element} */ (
+        document.querySelector(selector)
+      ).getBoundingClientRect();
+      return { x: width / 2, y: height / 2 };
+    }, what);
+    await page.drag(
+      what,
+      [0, 20, 40, 60, 80].map((by) => ({ x: x - by, y })),
+    );
+    await page.until(`${what} is moved`, (wanted) => location.hash.includes(`&${wanted}=`), key);
+  }
+  // Not until the pointer was lost on its way.
+  const goal = await page.evaluate(() => Number(new URLSearchParams(location.hash).get('goal.x')));
+  assert.ok(goal < 1.85, `the goal is at x = ${goal}`);
 });

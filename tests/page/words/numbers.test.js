@@ -68,6 +68,14 @@ test('a number that may be a thousand or one is none, and a comma is a point', (
     ['-10,000', Number.NaN],
     ['1,000,000.5', Number.NaN],
     ['', Number.NaN],
+    // As the page itself writes thousands, with whatever space.
+    ['118 098', 118098],
+    ['1\u202f000\u00a0000.5', 1000000.5],
+    ['1 2', Number.NaN],
+    ['1 0000', Number.NaN],
+    // From a Korean keyboard.
+    ['−１２．５', -12.5],
+    ['10²', Number.NaN],
   ]))
     assert.equal(numbers.numberOf(text), value, text);
 });

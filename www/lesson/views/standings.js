@@ -107,7 +107,7 @@ export function createStandings({ engine, actions, store }, { standings: words }
             <button class="standing-name on-paper" type="button" data-entrant=${name} aria-pressed=${name === driving} .disabled=${!run}
               @click=${() => drive(name)}>${name === 'gentle' ? words.gentle : driverText(driverOf(name))}</button
             ><span class="muted">${text}</span>
-            <div class="standing-bar" aria-hidden="true">${segmentsOf(run, dearest)}</div>
+            <div class="standing-bar" aria-hidden="true" .style=${`width: ${isPaid(run) ? (100 * run.cost.total) / dearest : 0}%`}>${segmentsOf(run)}</div>
           </th>
           <td class="standing-cost">
             <span class="standing-total">${run ? lab.costText(run.cost.total) : '–'}</span>
@@ -134,11 +134,12 @@ export function beatOf(runs) {
   return power * ([1, 2, 5].find((factor) => factor * power >= least) ?? 10);
 }
 
-/** J in its parts, beside the dearest. @param {Run | null} run @param {number} dearest */
-function segmentsOf(run, dearest) {
-  const isPaid = run !== null && Number.isFinite(run.cost.total);
-  return lab.costParts.map(
+/** @param {Run | null} run @returns {run is Run} */
+const isPaid = (run) => run !== null && Number.isFinite(run.cost.total);
+
+/** J in its parts. @param {Run | null} run */
+const segmentsOf = (run) =>
+  lab.costParts.map(
     ([part]) => html`<span class=${`standing-segment part-${part}`} data-term=${part}
-      .style=${`width: ${isPaid ? (100 * run.cost[part]) / dearest : 0}%`}></span>`,
+      .style=${`width: ${isPaid(run) ? (100 * run.cost[part]) / run.cost.total : 0}%`}></span>`,
   );
-}

@@ -1,4 +1,5 @@
 // Every word about links.
+import { beginningOf } from '../../kit/text.js';
 
 /** @param {string} found @param {readonly string[]} parts */
 export const unknownPart = (found, parts) =>
@@ -17,7 +18,7 @@ export const moreIgnored = (count) =>
   count === 1 ? 'One more entry was left out.' : `${count} more entries were left out.`;
 
 /** @param {string} expected @param {string} found */
-export const expected = (expected, found) => `it must be ${expected}, but was “${found}”.`;
+export const expected = (expected, found) => `it must be ${expected}, but was “${beginningOf(found)}”.`;
 
 /** @param {string} found @param {number} own */
 export const otherVersion = (found, own) =>

@@ -1,6 +1,7 @@
 // Every word of the lab and of what all pages share, in Korean.
 /** @import { Posture, Run, Statistics } from '../../core/engine.js' */
 /** @import { Driver, Restart, Until } from '../common/kinds.js' */
+import { beginningOf } from '../../kit/text.js';
 import { isTracking } from '../../core/reference.js';
 import { costText, fixed, grouped, postureText, sixDigits, textBelow } from './numbers.js';
 
@@ -201,10 +202,10 @@ export const untilRefused = (kind, value, text, next, last) =>
   kind === 'generation'
     ? Number.isInteger(value) && value >= next && value <= last
       ? ''
-      : `멈출 세대는 ${next} 이상 ${last} 이하의 정수여야 합니다. 입력값: “${text}”.`
+      : `멈출 세대는 ${next} 이상 ${last} 이하의 정수여야 합니다. 입력값: “${beginningOf(text)}”.`
     : value > 0 && value < Number.POSITIVE_INFINITY
       ? ''
-      : `멈출 J는 0보다 큰 수여야 합니다. 입력값: “${text}”.`;
+      : `멈출 J는 0보다 큰 수여야 합니다. 입력값: “${beginningOf(text)}”.`;
 
 /** @param {number} generation @param {number} newest */
 export const generationText = (generation, newest) => `${newest}세대 중 ${generation}세대`;
@@ -275,6 +276,7 @@ export const gainsReplaced = '되돌리기(Ctrl+Z)로 내 이득 되찾기';
 export const gainInputLabel = (name) => `${name}, 값`;
 
 /** @param {string} name @param {string} was */
-export const notANumber = (name, was) => `${name}: 수를 입력해야 합니다(예: 3.5). 입력값: “${was}”.`;
+export const notANumber = (name, was) =>
+  `${name}: 수를 입력해야 합니다(예: 3.5). 입력값: “${beginningOf(was)}”.`;
 /** @param {string} name @param {string} message */
 export const gainRefused = (name, message) => `${name}: 이 값은 쓸 수 없습니다. ${message}`;

@@ -1,4 +1,5 @@
 // Every word about links, in Korean.
+import { beginningOf } from '../../kit/text.js';
 
 /** @param {string} found @param {readonly string[]} parts */
 export const unknownPart = (found, parts) =>
@@ -16,7 +17,8 @@ export const partlyIgnored = (key, reason) =>
 export const moreIgnored = (count) => `그 밖에 ${count}개 항목도 제외했습니다.`;
 
 /** @param {string} expected @param {string} found */
-export const expected = (expected, found) => `필요한 형식은 ${expected}, 적힌 값은 “${found}”입니다.`;
+export const expected = (expected, found) =>
+  `필요한 형식은 ${expected}, 적힌 값은 “${beginningOf(found)}”입니다.`;
 
 /** @param {string} found @param {number} own */
 export const otherVersion = (found, own) => `링크의 버전은 ${found}, 이 페이지가 읽는 버전은 ${own}입니다.`;

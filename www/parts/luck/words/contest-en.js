@@ -1,6 +1,7 @@
 // Every word of the contest.
 /** @import { Lowest, Verdict } from '../contest-summary.js' */
 /** @import { Contestant } from '../contestants.js' */
+import { beginningOf } from '../../../kit/text.js';
 import { costText, grouped } from '../../../words/en/numbers.js';
 import { percent, targetText, timesText } from './common.js';
 
@@ -125,7 +126,7 @@ export const contestInvitation = ({ seeds, budget }, starts) =>
 export const usualTargetText = ({ cost, name, seed }) =>
   `0.2 % above ${targetText(cost)}, the lowest J (${shortName(name)}, seed ${seed})`;
 /** @param {string} was */
-export const targetRefused = (was) => `The target must be a number; it was “${was}”.`;
+export const targetRefused = (was) => `The target must be a number; it was “${beginningOf(was)}”.`;
 
 export const drivesAxis = 'drives';
 /** What comes where no contest has run. */
