@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { largestAt, pushesOf, pushesOver } from '../../../www/lesson/views/push-terms.js';
 import { stepOf } from '../../../www/lesson/steps.js';
-import { Key, pageTest } from '../harness/browsers.js';
+import { engineTest, Key, pageTest } from '../harness/browsers.js';
 import { engine, linkOf, opened } from './links.js';
 import { test } from '../harness/once.js';
 
@@ -118,3 +118,15 @@ pageTest(
     assert.ok(scrolled <= 1, `the bars can be scrolled by ${scrolled} px`);
   },
 );
+
+engineTest('between its formula and its number a push has room, however wide letters are', async (page) => {
+  await page.resize(1280, 900);
+  await page.open('#lesson&step=law&v=1');
+  const widths = await page.until('they are there', () => {
+    const cells = [...document.querySelectorAll('.push-cell')].map(
+      (cell) => cell.getBoundingClientRect().width,
+    );
+    return cells.length > 0 && cells;
+  });
+  assert.ok(Math.min(...widths) >= 60, widths.join(', '));
+});
