@@ -46,8 +46,11 @@ class Evolution:
         return (_evolved, (self.experiment, self.generation))
 
     def __repr__(self) -> str:
-        newest, settings = self.statistics(), self.experiment["evolution"]
-        told = (settings["method"], f"seed {settings['seed']}", f"generation {newest['generation']}", f"J {newest['best']['cost']:.6g}")
+        settings = self.experiment["evolution"]
+        told = [settings["method"], f"seed {settings['seed']}", f"generation {self._generation}"]
+        # What a lost core had would have to be driven again.
+        if not self._core.is_lost:
+            told.append(f"J {self.statistics()['best']['cost']:.6g}")
         return f"<Evolution: {', '.join(told)}>"
 
     @property

@@ -110,15 +110,19 @@ class Task:
 def _encoded_part(given):
     """A ``range`` says from where to before where, as the two numbers do for which it stands."""
     if isinstance(given, Mapping):
-        given = {name: _ends(value) if name in _PARTS else value for name, value in given.items()}
+        given = {name: _ends(name, value) if name in _PARTS else value for name, value in given.items()}
     return encoded(given)
 
 
 _PARTS = ("seeds", "rows", "part")
 
 
-def _ends(value):
-    return [value.start, value.stop] if isinstance(value, range) and value.step == 1 else value
+def _ends(name, value):
+    if not isinstance(value, range):
+        return value
+    if value.step != 1:
+        raise ValueError(f"{name} must be a range of every one, but was {value}")
+    return [value.start, value.stop]
 
 
 @functools.lru_cache(maxsize=8)

@@ -10,7 +10,10 @@ use crate::study::Evolution;
 pub fn setting<S: Source>(given: &S) -> Result<(Setting, Preset)> {
     match given.text() {
         Some(name) => named(Preset::find(&name)?),
-        None => Ok((completed(usual(given), given)?, usual(given))),
+        None => {
+            let preset = usual(given);
+            Ok((completed(preset, given)?, preset))
+        }
     }
 }
 

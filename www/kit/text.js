@@ -9,5 +9,6 @@ export const plainText = (text) =>
 /** The same in one line. @param {string} text */
 export const tidyText = (text) => plainText(text).replace(/\s+/g, ' ').trim();
 
-/** The beginning of what somebody has given, which may be very long. @param {string} text */
-export const beginningOf = (text) => (text.length > 40 ? `${text.slice(0, 40)}…` : text);
+/** The beginning of what somebody has given, which may be very long. @param {string} text @param {number} [most] */
+export const beginningOf = (text, most = 40) =>
+  text.length > most ? `${text.slice(0, most).replace(/[\ud800-\udbff]$/, '')}…` : text;

@@ -85,11 +85,12 @@ export function createRow(gain, index, events, unit = '') {
     row,
     /** @param {number} value @param {string} message @param {readonly [number, number]} range */
     draw(value, message, [low, high]) {
-      const percent = (/** @type {number} */ at) =>
-        `${(100 * (Math.min(Math.max(at, low), high) - low)) / (high - low)}%`;
-      const from = styled('--from', percent(Math.min(0, value)));
-      const to = styled('--to', percent(Math.max(0, value)));
-      const zero = styled('--zero', percent(0));
+      // Where the middle of the thumb is.
+      const place = (/** @type {number} */ at) =>
+        `calc(9px + (100% - 18px) * ${(Math.min(Math.max(at, low), high) - low) / (high - low)})`;
+      const from = styled('--from', place(Math.min(0, value)));
+      const to = styled('--to', place(Math.max(0, value)));
+      const zero = styled('--zero', place(0));
       const text = shown(value);
       current = value;
       const before = /** @type {HTMLInputElement | null} */ (row.querySelector('[type="text"]'));

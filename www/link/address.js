@@ -111,7 +111,8 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
     if (location.hash.slice(1) !== written) open();
   });
   const problems = open();
-  keepLeft(() => (away.leaves ? null : linkNow(written)));
+  // What has not begun, and may be what somebody flees from, is not opened again.
+  keepLeft(() => (away.leaves || !isDue(store.get(), place) ? null : linkFor(store.get())));
 
   return {
     /** What was wrong with the first link, in words. */

@@ -19,6 +19,7 @@ import { changesOf, namesIn, pathOf, withField } from './experiment.js';
 import { driveKeys, lessonKey, pinKeys } from './keys.js';
 import { sealOf } from './seal.js';
 import { PartlyRead, readAll } from './together.js';
+import { beginningOf } from '../kit/text.js';
 import { decoded, encoded, oneOf, pairOf, percent, wellFormed } from './values.js';
 
 /** @typedef {(preset: Preset) => Experiment} ExperimentOf */
@@ -41,9 +42,6 @@ export const mostCharacters = 20_000;
 const mostNamed = 5;
 const mostOfName = 60;
 const mostOfReason = 400;
-
-/** @param {string} text @param {number} [most] */
-const short = (text, most = mostOfName) => (text.length > most ? `${text.slice(0, most)}…` : text);
 
 /** Stands for no value in itself. @type {readonly Key[]} */
 const signs = [
@@ -115,11 +113,14 @@ export function createLinks({ pages, places, keys: partKeys, mend, lesson }) {
     const link = wellFormed(asWritten(written));
     const [name, ...rest] = whole(link.slice(0, mostCharacters), lesson).split('&');
     const page = pages.find((one) => one === (name || 'lab'));
-    const problems = page ? [] : [words.unknownPart(short(decoded(name)), [...pages, 'lesson'])];
+    const problems = page
+      ? []
+      : [words.unknownPart(beginningOf(decoded(name), mostOfName), [...pages, 'lesson'])];
     if (link.length > mostCharacters) problems.push(words.longLink(mostCharacters));
     const given = new Map(rest.filter((text) => text !== '').map(pairOf));
     const step = aloneIn(link)?.step ?? given.get('lesson');
-    if (step !== undefined && !lesson.named(step).isThere) problems.push(words.noStep(short(step)));
+    if (step !== undefined && !lesson.named(step).isThere)
+      problems.push(words.noStep(beginningOf(step, mostOfName)));
     const preset = presets.find((one) => one === given.get('preset')) ?? presets[0];
     const empty = { ...emptyRun(page ?? 'lab', preset, engine), student: { ...nobody, who } };
     /** @type {Opened} */
@@ -171,7 +172,7 @@ function withReceipt(opened, linkOf) {
 function ignoredOf(refused) {
   const said = refused.slice(0, mostNamed).map(([key, error]) => {
     const say = error instanceof PartlyRead ? words.partlyIgnored : words.ignored;
-    return say(short(key), short(messageOf(error), mostOfReason));
+    return say(beginningOf(key, mostOfName), beginningOf(messageOf(error), mostOfReason));
   });
   const more = refused.length - mostNamed;
   return more > 0 ? [...said, words.moreIgnored(more)] : said;

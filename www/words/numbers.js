@@ -71,15 +71,16 @@ export const postureText = ({ x, y, theta }) => `${fixed(x, 2)} m, ${fixed(y, 2)
 /** A comma before three digits may be a decimal point or not. */
 const inGroups = /^[+-]?[1-9]\d{0,2}(,\d{3})+(\.\d*)?$/;
 
-/** A digit, a space, and a group of three, as they are written here too. */
-const groups = /(\d)\s(?=\d{3}(?!\d))/g;
+/** Groups of three digits with spaces, as they are written here too; between two numbers there may be one as well. */
+const inSpacedGroups = /^[+-]?[1-9]\d{0,2}([ \u00a0\u2009\u202f]\d{3})+([.,]\d*)?$/;
 /** As wide as Korean letters. */
 const wide = /[！-～]/g;
 
 /** What somebody has typed; NaN if it is no number, or not sure which. @param {string} text */
 export function numberOf(text) {
   const narrow = text.replace(wide, (letter) => String.fromCharCode(letter.charCodeAt(0) - 0xfee0));
-  const plain = narrow.trim().replaceAll('−', '-').replace(groups, '$1');
+  const trimmed = narrow.trim().replaceAll('−', '-');
+  const plain = inSpacedGroups.test(trimmed) ? trimmed.replaceAll(/\s/g, '') : trimmed;
   return plain === '' || inGroups.test(plain) ? Number.NaN : Number(plain.replace(',', '.'));
 }
 

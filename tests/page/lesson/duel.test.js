@@ -162,7 +162,7 @@ pageTest('drive, lock in, predict; every number is the core’s', async (page) =
   assert.ok(!(await page.evaluate(() => document.getElementById('duel-table')?.checkVisibility())));
   assert.match(
     await textOf(page, 'duel-beaten'),
-    /Your J is below that of the paper’s evolved gains \(20\.\d+\)\./,
+    /Your lowest J is below that of the paper’s evolved gains \(20\.\d+\)\./,
   );
 
   await page.click('#duel-lock');

@@ -1,5 +1,21 @@
 // A page that is loaded again before its address tells of it opens as it was left.
+import assert from 'node:assert/strict';
 import { Key, engineTest } from '../harness/browsers.js';
+
+/** @typedef {import('../harness/browsers.js').Page} Page */
+
+/** From here on the address of this page is not written. @param {Page} page */
+const holdAddress = (page) =>
+  page.evaluate(() => {
+    const { setTimeout } = window;
+    window.setTimeout = /** @type {any} */ (
+      (/** @type {() => void} */ act, /** @type {number} */ pause) =>
+        pause === 400 ? 0 : setTimeout(act, pause)
+    );
+  });
+
+/** @param {Page} page */
+const address = (page) => page.evaluate(() => location.href);
 
 engineTest('what is loaded again at once is as it was left, with every drive that counts', async (page) => {
   const drives = (/** @type {string} */ wanted) =>
@@ -8,12 +24,19 @@ engineTest('what is loaded again at once is as it was left, with every drive tha
       (text) => document.querySelector('.aim:not(.late) .aim-drives')?.textContent === text,
       wanted,
     );
+  const type = async (/** @type {string} */ digit) => {
+    await holdAddress(page);
+    const before = await address(page);
+    await page.focus('#gain-kx');
+    await page.evaluate(() => /** @type {HTMLInputElement} */ (document.activeElement).select());
+    await page.press('3', '.', digit, Key.ENTER);
+    return before;
+  };
   await page.open('#lab&v=1&drives=hand&gains=3.3,0,4.5&task=Few.&aim=J%3C9;drives%3C%3D3');
   await drives('0 of 3 drives');
-  await page.focus('#gain-kx');
-  await page.evaluate(() => /** @type {HTMLInputElement} */ (document.activeElement).select());
-  await page.press('3', '.', '7', Key.ENTER);
+  const before = await type('7');
   await drives('1 of 3 drives');
+  assert.equal(await address(page), before);
   await page.driver.navigate().refresh();
   await drives('1 of 3 drives');
   await page.until(
@@ -21,10 +44,17 @@ engineTest('what is loaded again at once is as it was left, with every drive tha
     () => /** @type {HTMLInputElement} */ (document.getElementById('gain-kx')).value === '3.700',
   );
 
+  // Who comes from elsewhere gets what the address says.
+  const again = await type('8');
+  await drives('2 of 3 drives');
+  assert.equal(await address(page), again);
+  await page.driver.get(page.site.blank);
+  await page.driver.get(again);
+  await drives('1 of 3 drives');
+
   await page.open('#lab&v=1');
+  await holdAddress(page);
   for (let i = 0; i < 3; i += 1) await page.click('#one-generation');
   await page.driver.navigate().refresh();
-  await page.until('generation 3 is shown', () =>
-    /\b3\b/.test(document.getElementById('generation')?.innerText ?? ''),
-  );
+  await page.until('generation 3 is shown', () => document.getElementById('generation')?.innerText === '3');
 });

@@ -113,6 +113,11 @@ test('whatever else is wrong is refused, and nothing is lost by it', options, ()
   /** @type {readonly (readonly [string, string, RegExp])[]} */
   const rows = [
     ['ep.evaluate("hello", [1, 2, 3])', 'ValueError', /^experiment must be 'velocity-limits' or/],
+    [
+      "ep.Task({}).trials({'seeds': range(1, 5, 2), 'drives': 40})",
+      'ValueError',
+      /^seeds must be a range of every one, but was range\(1, 5, 2\)$/,
+    ],
     ['ep.evaluate(5, [1, 2, 3])', 'ValueError', /^experiment must be an object, but was 5$/],
     [
       'ep.evaluate({"goal": ep}, [1, 2, 3])',

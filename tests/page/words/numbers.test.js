@@ -71,8 +71,10 @@ test('a number that may be a thousand or one is none, and a comma is a point', (
     // As the page itself writes thousands, with whatever space.
     ['118 098', 118098],
     ['1\u202f000\u00a0000.5', 1000000.5],
-    ['1 2', Number.NaN],
-    ['1 0000', Number.NaN],
+    // Two numbers, or nobody knows.
+    ...['1 2', '1 0000', '3\t100', '3.5 100', '1234 567', '0 123', '1,234 567', '2e-1 000', '1e5 000'].map(
+      (text) => /** @type {const} */ ([text, Number.NaN]),
+    ),
     // From a Korean keyboard.
     ['−１２．５', -12.5],
     ['10²', Number.NaN],

@@ -43,7 +43,7 @@ const markNames = {
 export const beaten = (marks) =>
   marks.length === 0
     ? ''
-    : `Your J is below that of ${marks.map(({ name, cost }) => `${markNames[name]} (${costText(cost)})`).join(', ')}.`;
+    : `Your lowest J is below that of ${marks.map(({ name, cost }) => `${markNames[name]} (${costText(cost)})`).join(', ')}.`;
 
 /** @param {readonly number[]} gains */
 const gainsText = (gains) => gains.map((gain) => fixed(gain, gain < 10 ? 2 : 0)).join(', ');

@@ -37,7 +37,7 @@ const { texts } = words;
 export function createSight(element, store) {
   const changed = watch();
   const tell = createTeller('robustness');
-  /** Until there is a new survey, the old number stands with its own name. @type {Pick<Texts, 'share' | 'summary' | 'sides'> | null} */
+  /** Until there is a new survey, the old number stands with its own name. @type {Pick<Texts, 'share' | 'sides'> & { name: string | null } | null} */
   let ofSurvey = null;
   const { now, update } = robustnessSlice.at(store);
   const on = {
@@ -66,20 +66,21 @@ export function createSight(element, store) {
     const compared = rival?.spec === rivalSpec ? rival.tally.share : null;
     // Nobody waits for what could not be computed.
     const isOver = own.message !== '' && compared === null;
-    const summary = words.summary(nameOf(driver), own.heading !== null);
-    if (follows) ofSurvey = { share: words.none, summary: words.tracking, sides: '' };
+    if (follows) ofSurvey = { share: words.none, name: null, sides: '' };
     else if (survey?.spec === spec)
       ofSurvey = {
         share: words.percent(survey.tally.share),
-        summary: summary,
+        name: nameOf(driver),
         sides: words.sides(sharesBySide(survey.grid, spec.experiment.goal, survey.tally.count)),
       };
     // Before the first one its line stands where it will, but where none can come.
     const before = own.message
-      ? { share: '', summary: '', sides: '' }
-      : { share: words.waits, summary: summary, sides: '' };
+      ? { share: '', name: '', sides: '' }
+      : { share: words.waits, name: nameOf(driver), sides: '' };
+    const { name, ...told } = ofSurvey ?? before;
     const shown = {
-      ...(ofSurvey ?? before),
+      ...told,
+      summary: name === null ? words.tracking : name && words.summary(name, own.heading !== null),
       note: noteText(own, spec),
       rival: follows || isOver ? '' : words.rivalText(nameOf(comparisonDriver), compared),
       readout: readoutText(state, scene),

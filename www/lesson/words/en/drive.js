@@ -18,7 +18,7 @@ The paper that this page follows compares gains picked without evolution (here J
       ? `Your best so far: J ${costText(best.cost)} with ${best.gains.map((gain) => fixed(gain, 2)).join(', ')}. ${drives === 1 ? '1 drive' : `${drives} drives`}.`
       : drives > 0
         ? `${drives === 1 ? '1 drive' : `${drives} drives`}, and none has arrived yet.`
-        : 'You have not moved a slider yet. A drag of one counts as one drive.',
+        : 'You have not moved a slider here yet. A drag of one counts as one drive.',
   quizzes: {
     bolder: {
       question: 'All three numbers are 10 instead of 5. What changes?',

@@ -18,7 +18,7 @@ export const drive = {
       ? `지금까지 가장 좋은 결과: J ${costText(best.cost)}, 숫자 ${best.gains.map((gain) => fixed(gain, 2)).join(', ')}. 주행 ${drives}번.`
       : drives > 0
         ? `주행 ${drives}번, 아직 한 번도 도착하지 못했습니다.`
-        : '아직 슬라이더를 옮기지 않았습니다. 한 번 끌면 주행 한 번입니다.',
+        : '여기서는 아직 슬라이더를 옮기지 않았습니다. 한 번 끌면 주행 한 번입니다.',
   quizzes: {
     bolder: {
       question: '세 숫자를 모두 5로 했다가 모두 10으로 올리면 무엇이 달라집니까?',
