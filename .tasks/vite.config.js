@@ -25,18 +25,21 @@ const link = {
   lib: { entry: fileOf('../src/link.js'), formats: ['es'], fileName: () => 'link.js' },
 };
 
-/** The core stays outside, for it must be the one that is ready; words are of one language. @type {import('vite').Plugin} */
+/** The core stays outside, for it must be the one that is ready; words are of one language, and of the parts only their names are needed. @type {import('vite').Plugin} */
 const inPackage = {
   name: 'in-package',
   enforce: 'pre',
   resolveId(source) {
     if (source === '../pkg/ep_locomotion.js') return { id: './ep_locomotion.js', external: true };
-    if (source === '../words/index.js') return source;
+    if (source === '../words/index.js' || source === '../www/parts/parts.js') return source;
   },
-  load: (id) =>
-    id === '../words/index.js'
-      ? `export * as link from ${JSON.stringify(fileOf('../www/words/en/link.js'))};`
-      : undefined,
+  async load(id) {
+    if (id === '../words/index.js')
+      return `export * as link from ${JSON.stringify(fileOf('../www/words/en/link.js'))};`;
+    if (id !== '../www/parts/parts.js') return;
+    const { pageNames } = await import(new URL(id, import.meta.url).href);
+    return `export const pageNames = ${JSON.stringify(pageNames)};`;
+  },
 };
 
 export default defineConfig(({ mode }) => ({

@@ -5,14 +5,11 @@ import { stepNamed } from '../www/lesson/path.js';
 import { pathOf, withField } from '../www/link/experiment.js';
 import { readAll } from '../www/link/together.js';
 import { decoded, oneOf, pairOf, triple, wholeNumber } from '../www/link/values.js';
+import { pageNames } from '../www/parts/parts.js';
 import { drivers, presets } from '../www/run/state.js';
-import { pages } from '../www/words/en/lab.js';
 import * as words from '../www/words/en/link.js';
 
 /** @typedef {import('./link.d.ts').LinkedRun} LinkedRun */
-
-/** Of the page, which loads much to know more of them. */
-const parts = Object.keys(pages);
 
 const version = 1;
 /** As long as what the page reads. */
@@ -54,10 +51,10 @@ function asWritten(link) {
 
 /** What the page would say before it reads a value. @param {string} name @param {ReadonlyMap<string, string>} given */
 function misplaced(name, given) {
-  const isThere = name === 'lesson' || parts.includes(name);
+  const isThere = name === 'lesson' || pageNames.includes(name);
   const step = name === 'lesson' ? given.get('step') : given.get('lesson');
   return [
-    ...(isThere ? [] : [words.unknownPart(decoded(name).slice(0, mostOfName), [...parts, 'lesson'])]),
+    ...(isThere ? [] : [words.unknownPart(decoded(name).slice(0, mostOfName), [...pageNames, 'lesson'])]),
     ...(step === undefined || stepNamed(step).isThere ? [] : [words.noStep(step.slice(0, mostOfName))]),
   ];
 }
@@ -75,7 +72,7 @@ export function openLink(link) {
   const preset = presets.find((one) => one === given.get('preset')) ?? presets[0];
   /** @type {LinkedRun} */
   const first = {
-    part: name === 'lesson' || parts.includes(name) ? name : 'lab',
+    part: name === 'lesson' || pageNames.includes(name) ? name : 'lab',
     preset,
     experiment: completed(preset),
     generation: 0,

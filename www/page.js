@@ -21,7 +21,7 @@ import { askForLesson, createLesson } from './lesson/load.js';
 import { progressSlice } from './lesson/state.js';
 import { createAddress } from './link/address.js';
 import { askFor, createParts } from './parts/load.js';
-import { firstPage, inSight, pagesBeside, parts, places } from './parts/parts.js';
+import { firstPage, inSight, named, pagesBeside, parts, places } from './parts/parts.js';
 import { createActions } from './run/actions/actions.js';
 import { atEnd, fromStart } from './run/clock.js';
 import { firstState } from './run/first.js';
@@ -104,7 +104,7 @@ async function createSeen({ actions, tools, sight, seenScene }, redraw, addressO
   const pinButton = createPinButton(tools, seenScene);
   await giveWay();
   // These three in one piece: they stand side by side above the page, in sight already, and each moves the others.
-  const head = createHead(tools.actions, order, onLesson);
+  const head = createHead(tools.actions, order, named, onLesson);
   const settings = createSettingsPanel(tools, inSight.lab);
   const share = createShare({
     ...tools,

@@ -20,6 +20,8 @@ function showMore(nav) {
   nav.classList.toggle('more-after', hidden > 1);
 }
 
+/** What is said of a page, and what it is laid out for. @typedef {{ name: string, purpose: (population: number) => string, room?: string }} Named */
+
 /** Of the window, which names first what is open. @param {string} name */
 export const titleOf = (name) => `${name} · ${strings.texts.pageTitle}`;
 
@@ -31,10 +33,10 @@ export function showOn(elements, page) {
 }
 
 /**
- * @param {readonly string[]} pages @param {HTMLElement} nav @param {HTMLElement} tagline
+ * @param {readonly string[]} pages @param {Record<string, Named>} named @param {HTMLElement} nav @param {HTMLElement} tagline
  * @param {(page: string) => void} onOpen @param {() => void} onLesson
  */
-export function createPages(pages, nav, tagline, onOpen, onLesson) {
+export function createPages(pages, named, nav, tagline, onOpen, onLesson) {
   /** @param {string} name @param {boolean} isOpen */
   const linkTo = (name, isOpen) => {
     const onClick = (/** @type {MouseEvent} */ event) => {
@@ -44,7 +46,7 @@ export function createPages(pages, nav, tagline, onOpen, onLesson) {
       if (name === 'lesson') onLesson();
       else onOpen(name);
     };
-    const text = name === 'lesson' ? lessonWords.nav : strings.pages[name];
+    const text = name === 'lesson' ? lessonWords.nav : named[name].name;
     return html`<a id="page-${name}" href="#${name}" aria-current=${isOpen ? 'page' : nothing} @click=${onClick}>${text}</a>`;
   };
   const changed = watch();
@@ -55,9 +57,10 @@ export function createPages(pages, nav, tagline, onOpen, onLesson) {
     draw(open, lesson, population) {
       if (!changed(open, lesson, population)) return;
       document.body.dataset.open = open;
+      document.body.dataset.room = named[open].room ?? '';
       // A step of the lesson has its own, once it is there.
-      if (!lesson) document.title = titleOf(strings.pages[open]);
-      tagline.textContent = lesson ? lessonWords.tagline : strings.taglines(population)[open];
+      if (!lesson) document.title = titleOf(named[open].name);
+      tagline.textContent = lesson ? lessonWords.tagline : named[open].purpose(population);
       const current = lesson ? 'lesson' : open;
       render(
         pages.map((name) => linkTo(name, name === current)),

@@ -43,9 +43,9 @@ export function sayTexts() {
   fillTexts(texts);
 }
 
-/** What stands above all parts. @param {Actions} actions @param {readonly string[]} pages @param {() => void} onLesson */
-export const createHead = (actions, pages, onLesson) => ({
-  pages: createPages(pages, byId('pages'), byId('tagline'), actions.openPage, onLesson),
+/** What stands above all parts. @param {Actions} actions @param {readonly string[]} pages @param {Record<string, import('./navigation.js').Named>} named @param {() => void} onLesson */
+export const createHead = (actions, pages, named, onLesson) => ({
+  pages: createPages(pages, named, byId('pages'), byId('tagline'), actions.openPage, onLesson),
   preset: createSegmented('preset', strings.presetLegend, listed(strings.presets), actions.choosePreset),
   pauseButton: createPauseButton(byId('pause-evolution'), actions),
 });

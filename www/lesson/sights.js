@@ -1,7 +1,7 @@
 // Where there is no room for all of the figure beside the words, it shows one sight: the robot, what the step is about, or the gains. It stays over the words; in a frame it stands beside them sooner.
 import { byId } from '../kit/elements.js';
 import { createSegmented } from '../kit/segmented.js';
-import { parts } from '../parts/parts.js';
+import { named, parts } from '../parts/parts.js';
 import { lab } from '../words/index.js';
 import words from './words/index.js';
 
@@ -53,7 +53,7 @@ export function createSights(fieldset) {
         if (isPart)
           choices.push({
             value: 'part',
-            text: page === 'lab' ? lab.texts.evolutionSection : lab.pages[page],
+            text: page === 'lab' ? lab.texts.evolutionSection : named[page].name,
           });
         if (hasGains) choices.push({ value: 'gains', text: lab.texts.gainsTitle });
         offered = choices.map(({ value }) => value);

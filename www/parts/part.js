@@ -8,6 +8,7 @@
 /** @import { Slice, Store } from '../run/store.js' */
 /** @import { PartKey } from '../link/keys.js' */
 /** @import { Links } from '../link/link.js' */
+/** @import { Language } from '../words/language.js' */
 
 /** What an open part gets. @typedef {{ engine: Engine, store: Store, actions: Actions, paper: PaperResult[], links: Links }} Tools */
 /**
@@ -23,7 +24,8 @@
 /** Where the controls of a group stand, as selectors: what is locked, and what is gone when they are hidden. @typedef {Partial<Record<Group, { lock?: string, hide?: string }>>} Places */
 /**
  * @typedef {object} Part
- * @property {string} name In links; its words stand under the same name.
+ * @property {string} name In links.
+ * @property {Record<Language, { name: string, purpose: string }>} called What the head of the page calls it, and says of it, before any of its words are loaded.
  * @property {Slice<any>} slice What it keeps in the state.
  * @property {readonly PartKey[]} [keys] What of that a link carries.
  * @property {(opened: Opened, refuse: (key: string, why: string) => void) => Opened} [mend] What of a link goes wrong only together.
@@ -31,6 +33,7 @@
  * @property {readonly ('start' | 'disturbance')[]} [tries] What a drive there meets that evolution does not.
  * @property {readonly Beside[]} [beside] What of the lab stands beside it.
  * @property {(state: State) => boolean} [gains] Whether it has the sliders beside it; without this whenever one drives by hand.
+ * @property {'map' | 'plane'} [room] What it is laid out for: a map, for which the parts of J and the plane make room, or, beside a text, the room of the plane.
  * @property {true} [alone] Whether it has the whole page, with nothing of the lab beside it.
  * @property {true} [pays] Whether what is paid of J on the way stands at the path on the plane.
  * @property {true} [phases] Where a generation is seen phase by phase.

@@ -1,6 +1,9 @@
 // The parts of the page beside the lab, in the order in which it names them: one row each.
+/** @import { Named } from '../lab/navigation.js' */
 /** @import { Part } from './part.js' */
 import { labSlice } from '../lab/state.js';
+import { lab } from '../words/index.js';
+import { language } from '../words/language.js';
 import { curves } from './curves/part.js';
 import { disturbance } from './disturbance/part.js';
 import { generation } from './generation/part.js';
@@ -16,6 +19,17 @@ export const parts = [park, generation, curves, landscape, robustness, training,
 /** What an address without a part opens. */
 export const firstPage = park.name;
 export const pageNames = ['lab', ...parts.map(({ name }) => name)];
+
+/** What is said of them, by their names. @type {Record<string, Named>} */
+export const named = {
+  lab: { name: lab.labName, purpose: lab.labPurpose },
+  ...Object.fromEntries(
+    parts.map(({ name, called, room }) => {
+      const said = called[language];
+      return [name, { name: said.name, purpose: () => said.purpose, room }];
+    }),
+  ),
+};
 
 /** @param {string} page */
 const partOf = (page) => parts.find(({ name }) => name === page);

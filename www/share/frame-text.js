@@ -4,7 +4,8 @@ import { addressOf } from '../kit/host.js';
 import { sizes } from '../embed/frame.js';
 import { frameText } from '../embed/frame-line.js';
 import { stepNames } from '../lesson/path.js';
-import { lab, lesson as lessonWords } from '../words/index.js';
+import { named } from '../parts/parts.js';
+import { lesson as lessonWords } from '../words/index.js';
 import words from './words/index.js';
 
 /** The sizes that are offered, as choices. */
@@ -24,7 +25,7 @@ export function handedAddress(link, embed = false) {
 
 /** @param {State} state @param {string} link @param {readonly [width: number, height: number]} size */
 export function frameOf({ page, lesson }, link, [width, height] = sizes[1]) {
-  const part = lesson > 0 ? lessonWords.titles[stepNames[lesson - 1]] : lab.pages[page];
+  const part = lesson > 0 ? lessonWords.titles[stepNames[lesson - 1]] : named[page].name;
   return frameText({
     address: handedAddress(link, true),
     title: words.frameTitle(part),

@@ -9,8 +9,7 @@ import { wantedHeight } from '../../../www/embed/frame.js';
 import { frameText } from '../../../www/embed/frame-line.js';
 import { links } from '../../../www/lesson/links.js';
 import { stepNames } from '../../../www/lesson/path.js';
-import { pageNames, parts } from '../../../www/parts/parts.js';
-import { lab } from '../../../www/words/index.js';
+import { named, pageNames, parts } from '../../../www/parts/parts.js';
 import { engineTest, pageTest, patience } from '../harness/browsers.js';
 import { evolve, experiment, historyOf } from '../harness/core.js';
 import { ask, heardFrom, frameOf, inHost, within } from '../harness/host.js';
@@ -57,7 +56,7 @@ test('what a link says, every part and every step stand in the documents', async
   );
   const [listed] = embedding.match(/Parts are [^;]*/) ?? [''];
   for (const name of pageNames) {
-    assert.ok(readme.includes(`- **${lab.pages[name]}**`), `README.md does not say what ${name} is`);
+    assert.ok(readme.includes(`- **${named[name].name}**`), `README.md does not say what ${name} is`);
     assert.ok(listed.includes(`\`${name}\``), `docs/embedding.md does not list ${name}`);
   }
   const [steps] = embedding.match(/Steps have names: [^.]*/) ?? [''];

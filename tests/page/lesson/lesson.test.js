@@ -12,6 +12,7 @@ import {
 } from '../../../www/lesson/path.js';
 import { noProgress, noTally } from '../../../www/lesson/state.js';
 import { steps } from '../../../www/lesson/steps.js';
+import { named } from '../../../www/parts/parts.js';
 import { en as english, ko as korean } from '../harness/words.js';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { driven, engine, linkOf, opened, samples } from './links.js';
@@ -244,11 +245,11 @@ pageTest('the focus and the title of the page go with the step', async (page) =>
   await stands(`4 ${en.titles.stability}`, 'lesson-step');
   await page.click('#page-lab');
   await page.until('the lesson is closed', () => document.getElementById('lesson')?.hidden);
-  const { pages, texts } = english.lab;
-  assert.equal(await usual(), `${pages.lab} · ${texts.pageTitle}`);
+  const { texts } = english.lab;
+  assert.equal(await usual(), `${named.lab.name} · ${texts.pageTitle}`);
   await page.click('#page-curves');
   await page.until('the curves are open', () => document.body.dataset.open === 'curves');
-  assert.equal(await usual(), `${pages.curves} · ${texts.pageTitle}`);
+  assert.equal(await usual(), `${named.curves.name} · ${texts.pageTitle}`);
 });
 
 engineTest('a symbol that is pointed at lights up in formula and picture', async (page) => {

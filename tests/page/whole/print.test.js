@@ -1,6 +1,5 @@
 import assert from 'node:assert/strict';
-import { pageNames } from '../../../www/parts/parts.js';
-import { lab } from '../../../www/words/index.js';
+import { named, pageNames } from '../../../www/parts/parts.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
 import { samples } from '../parts/samples.js';
 import { bred, counted, slide } from '../parts/parking.js';
@@ -88,7 +87,7 @@ for (const link of pageNames.flatMap(linksOf))
       assert.equal(seen.told, true);
       assert.ok(seen.excess <= 0, `${seen.excess} px too wide`);
       // Park has limits of its own.
-      for (const chosen of [lab.pages[part], ...(part === 'park' ? [] : ['Velocity limits'])])
+      for (const chosen of [named[part].name, ...(part === 'park' ? [] : ['Velocity limits'])])
         assert.ok(seen.chosen.includes(chosen), `${chosen}: ${seen.chosen}`);
       for (const { id, shown, drawn } of seen.shapes)
         assert.ok(Math.abs(shown / drawn - 1) < 0.05, `${id} is ${shown} wide for its height, not ${drawn}`);

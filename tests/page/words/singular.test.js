@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { phasesOf } from '../../../www/parts/generation/phases.js';
 import { dissect } from '../../../www/parts/generation/record.js';
 import { othersText as othersInGeneration, sentence } from '../../../www/parts/generation/words/en.js';
-import { othersText, restartText, taglines } from '../../../www/words/en/lab.js';
+import { labPurpose, othersText, restartText } from '../../../www/words/en/lab.js';
 import { Evolution, experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
 
@@ -14,7 +14,7 @@ const wrong =
 test('of few robots the lab speaks as of many', () => {
   for (const count of [1, 2])
     for (const text of [
-      taglines(count).lab,
+      labPurpose(count),
       restartText('begin', count, true),
       restartText('seed', count, true),
       othersText({ others: count, population: count + 1, arrived: 1 }),

@@ -11,6 +11,17 @@ import { load as loadWords } from './words/load.js';
 /** @type {Part} */
 export const curves = {
   name: 'curves',
+  called: {
+    en: {
+      name: 'Curves',
+      purpose:
+        'The drive against time, as in the paper’s Figures 5 and 7, J as it is paid, and the Lyapunov function.',
+    },
+    ko: {
+      name: '곡선',
+      purpose: '논문의 그림 5, 7과 같은 시간에 따른 주행, 그동안 쌓이는 J, 그리고 리아푸노프 함수입니다.',
+    },
+  },
   slice,
   keys: [
     partKey('view', slice, 'view', (text) => oneOf(views, text)),

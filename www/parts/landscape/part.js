@@ -21,6 +21,18 @@ const axisOf = (text) => ({
 /** @type {Part} */
 export const landscape = {
   name: 'landscape',
+  called: {
+    en: {
+      name: 'Landscape',
+      purpose:
+        'Every point is a robot with gains of its own, its colour the cost of its drive. Drag the goal: the valley moves.',
+    },
+    ko: {
+      name: '비용 지형',
+      purpose:
+        '점 하나하나가 서로 다른 이득을 가진 로봇이고, 색은 그 주행의 비용입니다. 목표를 끌면 골짜기가 움직입니다.',
+    },
+  },
   slice,
   keys: [
     partKey('x', slice, 'x', axisOf, axisText),
@@ -36,6 +48,7 @@ export const landscape = {
   },
   places: { gains: { lock: '#landscape-map' } },
   beside: ['cost', 'evolution', 'driver'],
+  room: 'map',
   figure: [0.64, 620],
   load: () => makerFrom([loadWords], () => import('./page.js')),
 };

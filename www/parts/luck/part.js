@@ -27,6 +27,18 @@ const countOf = (text, most) => Math.max(1, wholeNumber(text, most));
 /** @type {Part} */
 export const luck = {
   name: 'luck',
+  called: {
+    en: {
+      name: 'Luck',
+      purpose:
+        'The same search with many seeds: how much of a result is luck, and which part or rival does better?',
+    },
+    ko: {
+      name: '운',
+      purpose:
+        '여러 시드로 같은 탐색을 반복합니다. 결과의 어디까지가 운이고, 어떤 구성 요소나 경쟁 방법이 더 나을까요?',
+    },
+  },
   slice,
   keys: [
     partKey('luck', slice, 'view', (text) => oneOf(views, text)),
@@ -46,6 +58,7 @@ export const luck = {
     run: { lock: '#luck-run, #contest-run', hide: '.luck-bar, .contest-bar' },
     seed: { lock: '#luck-open', hide: '#luck-open' },
   },
+  room: 'plane',
   figure: [0.7, 640],
   load: () => makerFrom([loadWords], () => import('./page.js')),
 };

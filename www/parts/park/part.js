@@ -17,6 +17,16 @@ const gainsKey = partKey(
 /** @type {Part} */
 export const park = {
   name: 'park',
+  called: {
+    en: {
+      name: 'Park',
+      purpose: 'Robots at 32 starts, one parking place, three numbers: park them all, or let evolution try.',
+    },
+    ko: {
+      name: '주차',
+      purpose: '출발점 32곳의 로봇, 주차 자리 하나, 숫자 세 개. 모두 주차시켜 보거나 진화에 맡겨 보십시오.',
+    },
+  },
   slice,
   // Elsewhere nobody sees them, and they stay.
   keys: [

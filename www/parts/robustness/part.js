@@ -10,6 +10,18 @@ import { load as loadWords } from './words/load.js';
 /** @type {Part} */
 export const robustness = {
   name: 'robustness',
+  called: {
+    en: {
+      name: 'Robustness',
+      purpose:
+        'The same gains from everywhere: where does the robot arrive? Press a place to watch it start there.',
+    },
+    ko: {
+      name: '강인성',
+      purpose:
+        '같은 이득으로 모든 곳에서 출발합니다. 어디에서 도착하고 어디에서 실패할까요? 누르면 그곳에서 주행합니다.',
+    },
+  },
   slice,
   keys: [
     partKey('colour', slice, 'quantity', (text) => oneOf(quantities, text)),
@@ -19,6 +31,7 @@ export const robustness = {
   places: { postures: { lock: '#robustness-map' } },
   tries: ['start'],
   beside: ['cost', 'driver'],
+  room: 'map',
   figure: [0.64, 620],
   load: () => makerFrom([loadWords], () => import('./page.js')),
 };

@@ -12,6 +12,18 @@ const papers = ':is(#training-paper-ep, #training-paper-arbitrary) .training-nam
 /** @type {Part} */
 export const training = {
   name: 'training',
+  called: {
+    en: {
+      name: 'Training',
+      purpose:
+        'Gains evolved on one start have learned that start. Evolve on many, test on starts never seen before.',
+    },
+    ko: {
+      name: '학습',
+      purpose:
+        '출발점 하나로 진화한 이득은 그 출발점만 익힙니다. 여러 출발점으로 진화시켜 처음 보는 곳에서 시험해 보십시오.',
+    },
+  },
   slice,
   keys: [partKey('evolve', slice, 'generations', (text) => oneNumberOf(lengths, text))],
   places: {
@@ -22,6 +34,7 @@ export const training = {
     run: { lock: '#training-evolve', hide: '.training-controls' },
   },
   tries: ['start'],
+  room: 'plane',
   figure: [0.7, 640],
   load: () => makerFrom([loadWords], () => import('./page.js')),
 };

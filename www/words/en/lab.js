@@ -60,37 +60,10 @@ export const drivers = {
   },
 };
 
-/** @type {Record<string, string>} */
-export const pages = {
-  lab: 'Lab',
-  park: 'Park',
-  generation: 'Generation',
-  curves: 'Curves',
-  landscape: 'Landscape',
-  robustness: 'Robustness',
-  training: 'Training',
-  disturbance: 'Disturbance',
-  luck: 'Luck',
-};
-
-/** What each part is for. @param {number} population How many robots there are. @returns {Record<string, string>} */
-export const taglines = (population) => ({
-  lab: `${counted(population, 'robot with three random gains drives', 'robots, each with three random gains, drive')} to the goal. Evolution keeps what drives well.`,
-  park: 'Robots at 32 starts, one parking place, three numbers: park them all, or let evolution try.',
-  generation:
-    'One generation, step by step: who is whose offspring, how each drove, whom each met, who stays.',
-  curves:
-    'The drive against time, as in the paper’s Figures 5 and 7, J as it is paid, and the Lyapunov function.',
-  landscape:
-    'Every point is a robot with gains of its own, its colour the cost of its drive. Drag the goal: the valley moves.',
-  robustness:
-    'The same gains from everywhere: where does the robot arrive? Press a place to watch it start there.',
-  training:
-    'Gains evolved on one start have learned that start. Evolve on many, test on starts never seen before.',
-  disturbance:
-    'The ground pushes, the wheels slip: how far off does the robot stay, and what does Theorem 2 promise?',
-  luck: 'The same search with many seeds: how much of a result is luck, and which part or rival does better?',
-});
+export const labName = 'Lab';
+/** What it is for. @param {number} population How many robots there are. */
+export const labPurpose = (population) =>
+  `${counted(population, 'robot with three random gains drives', 'robots, each with three random gains, drive')} to the goal. Evolution keeps what drives well.`;
 
 export const endTrial = 'Back to its own start';
 

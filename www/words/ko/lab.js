@@ -56,36 +56,10 @@ export const drivers = {
   },
 };
 
-/** @type {Record<string, string>} */
-export const pages = {
-  lab: '실험실',
-  park: '주차',
-  generation: '세대',
-  curves: '곡선',
-  landscape: '비용 지형',
-  robustness: '강인성',
-  training: '학습',
-  disturbance: '외란',
-  luck: '운',
-};
-
-/** What each part is for. @param {number} population @returns {Record<string, string>} */
-export const taglines = (population) => ({
-  lab: `무작위 이득을 세 개씩 가진 로봇 ${population}대가 목표로 주행합니다. 진화는 잘 주행하는 로봇을 남깁니다.`,
-  park: '출발점 32곳의 로봇, 주차 자리 하나, 숫자 세 개. 모두 주차시켜 보거나 진화에 맡겨 보십시오.',
-  generation:
-    '한 세대를 단계별로 봅니다: 누가 누구의 자손인지, 어떻게 주행했는지, 누구를 만났는지, 누가 남는지.',
-  curves: '논문의 그림 5, 7과 같은 시간에 따른 주행, 그동안 쌓이는 J, 그리고 리아푸노프 함수입니다.',
-  landscape:
-    '점 하나하나가 서로 다른 이득을 가진 로봇이고, 색은 그 주행의 비용입니다. 목표를 끌면 골짜기가 움직입니다.',
-  robustness:
-    '같은 이득으로 모든 곳에서 출발합니다. 어디에서 도착하고 어디에서 실패할까요? 누르면 그곳에서 주행합니다.',
-  training:
-    '출발점 하나로 진화한 이득은 그 출발점만 익힙니다. 여러 출발점으로 진화시켜 처음 보는 곳에서 시험해 보십시오.',
-  disturbance:
-    '바닥이 밀고 바퀴가 미끄러집니다. 로봇은 목표에서 얼마나 벗어나고, 정리 2는 무엇을 보장할까요?',
-  luck: '여러 시드로 같은 탐색을 반복합니다. 결과의 어디까지가 운이고, 어떤 구성 요소나 경쟁 방법이 더 나을까요?',
-});
+export const labName = '실험실';
+/** What it is for. @param {number} population How many robots there are. */
+export const labPurpose = (population) =>
+  `무작위 이득을 세 개씩 가진 로봇 ${population}대가 목표로 주행합니다. 진화는 잘 주행하는 로봇을 남깁니다.`;
 
 export const endTrial = '원래 출발점으로';
 
