@@ -84,6 +84,8 @@ export function createDraw(createViews, engine, paper, inSight) {
           history,
           generation,
           population: population.length,
+          evolving: state.evolving,
+          note: evolutionNote(state),
           pins: state.pins,
           atRest: !robot.playing && !state.evolving && !state.dragging,
           tried: state.trial.start !== null,

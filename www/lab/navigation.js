@@ -1,6 +1,7 @@
 // The parts of the page: links to all, and only what belongs to the open one in sight.
 import { html, nothing, render } from 'lit-html';
-import { followSize } from '../kit/elements.js';
+import { byId, followSize } from '../kit/elements.js';
+import { isEmbedded } from '../kit/host.js';
 import { watch } from '../kit/memo.js';
 import { lesson as lessonWords, lab as strings } from '../words/index.js';
 
@@ -32,6 +33,13 @@ export function showOn(elements, page) {
       element.hidden = !element.dataset.page.split(' ').includes(page);
 }
 
+/** For who comes by keyboard: over the head of the page, to what it is about. */
+function showSkip() {
+  const skip = byId('skip');
+  skip.hidden = isEmbedded;
+  skip.addEventListener('click', () => document.querySelector('main')?.focus());
+}
+
 /**
  * @param {readonly string[]} pages @param {Record<string, Named>} named @param {HTMLElement} nav @param {HTMLElement} tagline
  * @param {(page: string) => void} onOpen @param {() => void} onLesson
@@ -49,6 +57,7 @@ export function createPages(pages, named, nav, tagline, onOpen, onLesson) {
     const text = name === 'lesson' ? lessonWords.nav : named[name].name;
     return html`<a id="page-${name}" href="#${name}" aria-current=${isOpen ? 'page' : nothing} @click=${onClick}>${text}</a>`;
   };
+  showSkip();
   const changed = watch();
   followSize(nav, () => showCurrent(nav));
   nav.addEventListener('scroll', () => showMore(nav), { passive: true });

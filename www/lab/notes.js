@@ -12,7 +12,7 @@ import { watch } from '../kit/memo.js';
 import { lab as strings, pins as pinWords } from '../words/index.js';
 
 /** What it takes from the state. @typedef {Pick<State, 'driver' | 'found' | 'history' | 'generation' | 'pins'> & ReturnType<typeof endsOf>} Told */
-/** `moved`: start or goal is not the paper's; `tried`: the start is one that evolution does not see. @typedef {Told & { scene: Scene, population: number, time: number, atRest: boolean, moved: boolean, tried: boolean }} NotesModel */
+/** `note`: what stands under the bar of evolution; `moved`: start or goal is not the paper's; `tried`: the start is one that evolution does not see. @typedef {Told & { scene: Scene, population: number, evolving: boolean, note: string, time: number, atRest: boolean, moved: boolean, tried: boolean }} NotesModel */
 
 /** @param {{ onRestore: () => void }} events */
 export function createNotes({ onRestore }) {
@@ -20,10 +20,8 @@ export function createNotes({ onRestore }) {
   const posturesChanged = watch();
   const textChanged = watch();
   const historyChanged = watch();
-  const bestChanged = watch();
-  const handChanged = watch();
   const planeText = byId('plane-text');
-  let isDrawn = false;
+  const tell = createTelling();
 
   return {
     /** @param {NotesModel} model */
@@ -49,17 +47,37 @@ export function createNotes({ onRestore }) {
         );
       if (historyChanged(history))
         byId('curve').setAttribute('aria-label', strings.curveLabel(history[0], history[history.length - 1]));
-      if (bestChanged(history[generation])) announce('lab', strings.announcement(history[generation]));
-      // What is said of a run elsewhere on the page is not said twice, and what is there from the beginning is read in its place.
-      const isByHand = driver === 'hand' && found === 'hand' && !chosen && !tried;
-      if (handChanged(isByHand && driving) && isByHand && isDrawn)
-        announce(
-          'lab',
-          `J ${strings.costText(driving.cost.total)}, ${strings.outcomeText(driving)}`,
-          settlingMilliseconds,
-        );
-      isDrawn = true;
+      tell(model);
     },
+  };
+}
+
+/** Of these gains by hand nothing else on the page says how they drive. @type {readonly State['found'][]} */
+const untold = ['hand', 'map'];
+
+/** What is said of its own accord: how evolution goes, what it has paused at, and how the gains drive that somebody chose. */
+function createTelling() {
+  const bestChanged = watch();
+  const pauseChanged = watch();
+  const driveChanged = watch();
+  let isThere = false;
+  return (/** @type {NotesModel} */ { scene, driver, found, history, generation, evolving, note, tried }) => {
+    const best = strings.announcement(history[generation]);
+    const isNew = bestChanged(history[generation]);
+    if (pauseChanged(evolving) && !evolving && isThere) announce('lab', `${best}. ${note}`);
+    else if (isNew && (evolving || driver === 'evolved')) announce('lab', best);
+    const { driving, chosen } = scene;
+    const isTold = !chosen && !tried && (driver !== 'hand' || untold.includes(found));
+    // What evolution drives changes by itself.
+    const drive = driver === 'evolved' ? driver : driving;
+    // What is there from the beginning is read in its place.
+    if (driveChanged(isTold && drive) && isTold && isThere)
+      announce(
+        'lab',
+        `J ${strings.costText(driving.cost.total)}, ${strings.outcomeText(driving)}`,
+        settlingMilliseconds,
+      );
+    isThere = true;
   };
 }
 

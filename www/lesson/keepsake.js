@@ -1,7 +1,8 @@
 // Answers and drives outlast a reload of the tab.
 import { withStorage } from '../kit/tab.js';
 import { language } from '../words/language.js';
-import { noProgress, noTally, progressSlice } from './state.js';
+import { mostTallies } from './duel/tally.js';
+import { noProgress, progressSlice } from './state.js';
 
 /** @import { Engine } from '../core/engine.js' */
 /** @import { Store } from '../run/store.js' */
@@ -12,12 +13,12 @@ const placeKey = 'ep-locomotion place';
 const mostCharacters = 200_000;
 
 /** What outlasts: answers that are there, with the language in which they were said, and what was driven. @param {Progress} progress */
-export function textOf({ answers, tally, duel }) {
+export function textOf({ answers, tallies, duel }) {
   const settled = Object.entries(answers).filter(([, { right }]) => right !== null);
   const said = settled.map(([key, answer]) => [key, { said: language, ...answer }]);
   return JSON.stringify({
     answers: Object.fromEntries(said),
-    tally,
+    tallies,
     duel: duel && { ...duel, rounds: [] },
   });
 }
@@ -27,12 +28,14 @@ const areGains = (gains) => Array.isArray(gains) && gains.length === 3 && gains.
 
 /** What a text says of it; nothing of it is trusted. @param {string} text @param {Pick<Engine, 'experiment'>} engine @returns {Progress} */
 export function progressOf(text, engine) {
-  const { answers, tally, duel } = JSON.parse(text);
+  const { answers, tallies = [], duel } = JSON.parse(text);
   const isAnswer = (/** @type {Answer} */ one) =>
     Number.isInteger(one.choice) && Number.isInteger(one.right) && typeof one.why === 'string';
   const isDriven = (/** @type {{ costs: unknown }} */ one) =>
     Array.isArray(one.costs) && one.costs.every((cost) => cost === null || typeof cost === 'number');
   const isBest = (/** @type {any} */ one) => !one || (areGains(one.gains) && Number.isFinite(one.cost));
+  const isTally = (/** @type {any} */ one) =>
+    isDriven(one) && typeof one.experiment === 'string' && [one.best, one.lowest].every(isBest);
   if (!Object.values(answers).every(isAnswer)) return noProgress;
   const heard = Object.entries(answers).map(([key, { choice, right, why, said }]) => [
     key,
@@ -43,10 +46,7 @@ export function progressOf(text, engine) {
   return {
     ...noProgress,
     answers: Object.fromEntries(heard),
-    tally:
-      isDriven(tally) && typeof tally.experiment === 'string' && [tally.best, tally.lowest].every(isBest)
-        ? whole({ ...noTally, ...tally })
-        : noTally,
+    tallies: tallies.slice(0, mostTallies).filter(isTally).map(whole),
     duel:
       duel && isDriven(duel) && (duel.gains === null || areGains(duel.gains))
         ? whole({ ...duel, experiment: engine.experiment(duel.experiment), rounds: [] })

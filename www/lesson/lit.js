@@ -25,5 +25,7 @@ export function createLit() {
   };
   for (const kind of ['pointerover', 'focusin'])
     document.addEventListener(kind, (event) => light(meant(event.target)));
-  for (const kind of ['pointerleave', 'focusout']) document.addEventListener(kind, () => light([]));
+  document.addEventListener('focusout', () => light([]));
+  // A finger that was lifted lets one see what it lay on, until it comes down elsewhere.
+  document.addEventListener('pointerleave', ({ pointerType }) => pointerType === 'touch' || light([]));
 }

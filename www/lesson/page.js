@@ -95,6 +95,9 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
       for (const block of blocks) block.draw(live);
       // What it holds gives it its height.
       if (isNew && !state.dragging) goToPlace(lesson);
+      // In a low window it is below the figure.
+      const title = byId('lesson-title');
+      if (isNew && document.activeElement === title) title.scrollIntoView({ block: 'nearest' });
       settle(live, step, tools);
     },
   };

@@ -10,9 +10,9 @@ import { createSlice } from '../run/store.js';
 /** @type {Tally} */
 export const noTally = Object.freeze({ experiment: '', drives: 0, costs: [], best: null, lowest: null });
 
-/** With `sees` whose robots of a contest are in sight, and `lapsed` the question whose run was changed before it was answered. @typedef {{ answers: Record<string, Answer>, lapsed: string | null, tally: Tally, duel: Duel | null, sees: 'you' | 'evolution' }} Progress */
+/** With `tallies` one of each experiment, the last driven first, `sees` whose robots of a contest are in sight, and `lapsed` the question whose run was changed before it was answered. @typedef {{ answers: Record<string, Answer>, lapsed: string | null, tallies: readonly Tally[], duel: Duel | null, sees: 'you' | 'evolution' }} Progress */
 
-/** @type {Progress} */
-export const noProgress = { answers: {}, lapsed: null, tally: noTally, duel: null, sees: 'you' };
+/** @type {Readonly<Progress>} */
+export const noProgress = { answers: {}, lapsed: null, tallies: [], duel: null, sees: 'you' };
 
 export const progressSlice = createSlice('progress', noProgress);

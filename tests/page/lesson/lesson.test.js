@@ -73,28 +73,29 @@ test('links of the first edition open the step that holds its content; one that 
 });
 
 test('what the tab keeps is read back, and nothing else is believed', () => {
+  const tally = { ...noTally, experiment: '{}', drives: 2, costs: [9, Number.POSITIVE_INFINITY] };
   const progress = {
     ...noProgress,
     answers: {
       'drive.bolder': { choice: 1, right: 1, why: 'so' },
       'law.beside': { choice: 0, right: null, why: '' },
     },
-    tally: { ...noTally, experiment: '{}', drives: 2, costs: [9, Number.POSITIVE_INFINITY] },
+    tallies: [tally],
   };
   const back = progressOf(textOf(progress), engine);
   assert.deepEqual(back.answers, { 'drive.bolder': progress.answers['drive.bolder'] });
-  assert.deepEqual(back.tally, progress.tally);
-  const wrong = { answers: { a: { choice: 'x' } }, tally: noTally, duel: null };
+  assert.deepEqual(back.tallies, [tally]);
+  const wrong = { answers: { a: { choice: 'x' } }, tallies: [], duel: null };
   assert.equal(progressOf(JSON.stringify(wrong), engine), noProgress);
-  const duel = lockedIn(progress.tally, engine.experiment('velocity-limits'));
+  const duel = lockedIn(tally, engine.experiment('velocity-limits'));
   // What was said in another language is kept for who comes back to it.
   const answers = { 'drive.bolder': { ...progress.answers['drive.bolder'], said: 'xx' } };
   const other = progressOf(textOf({ ...progress, answers, duel }), engine);
-  assert.deepEqual(other, { ...noProgress, answers, tally: progress.tally, duel });
+  assert.deepEqual(other, { ...noProgress, answers, tallies: [tally], duel });
   const read = (/** @type {object} */ kept) =>
-    progressOf(JSON.stringify({ answers: {}, tally: noTally, duel: null, ...kept }), engine);
-  assert.deepEqual(read({ tally: { costs: ['x'] }, duel: { costs: 1 } }), noProgress);
-  assert.deepEqual(read({ tally: { ...progress.tally, best: { gains: [1], cost: 1 } } }), noProgress);
+    progressOf(JSON.stringify({ answers: {}, tallies: [], duel: null, ...kept }), engine);
+  assert.deepEqual(read({ tallies: [{ costs: ['x'] }], duel: { costs: 1 } }), { ...noProgress });
+  assert.deepEqual(read({ tallies: [{ ...tally, best: { gains: [1], cost: 1 } }] }), noProgress);
   assert.deepEqual(read({ duel: { ...duel, gains: 3 } }), noProgress);
   assert.throws(() => read({ duel: { ...duel, experiment: { evolution: null } } }));
 });

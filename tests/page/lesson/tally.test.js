@@ -42,9 +42,10 @@ function createHands(t) {
   /** How many there are after a frame. @param {Partial<Live['state']>} [patch] @param {boolean} [isTyped] */
   const counted = (patch, isTyped = true) => {
     if (isTyped) fire('change', new Input());
-    live = { ...live, state: { ...live.state, ...patch } };
+    const { experiment = live.scene.experiment } = patch ?? {};
+    live = { ...live, state: { ...live.state, ...patch }, scene: { ...live.scene, experiment } };
     tally.count(live, /** @type {any} */ ({}));
-    return progressSlice.of(live.state).tally.drives;
+    return progressSlice.of(live.state).tallies[0]?.drives ?? 0;
   };
   return {
     counted,
@@ -74,6 +75,12 @@ test('what counts is a drive with other gains than the link opened, made in this
     'moved before, in another experiment',
   );
   assert.equal(counted(by(8)), 3);
+  const other = structuredClone(first);
+  other.goal.x += 1;
+  assert.equal(counted({ experiment: other }, false), 3, 'nothing was driven there');
+  assert.equal(counted(by(2)), 1, 'of another experiment');
+  assert.equal(counted({ experiment: first }, false), 1);
+  assert.equal(counted(by(5)), 4, 'what was driven in this one stays');
 });
 
 test('what a slider passes through does not count, whatever had the focus before; where it is let go does', (t) => {

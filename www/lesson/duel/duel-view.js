@@ -20,12 +20,13 @@ import {
 import { createDuelPlot, looks } from './duel-plot.js';
 import { marksOf } from './marks.js';
 import { paragraphs } from '../prose.js';
-import { noTally, progressSlice } from '../state.js';
+import { progressSlice } from '../state.js';
 import { createSwarm } from './swarm.js';
-import { tallyOf, taskText } from './tally.js';
+import { talliesBut, tallyOf, taskText } from './tally.js';
 import shared from '../words/index.js';
 import { yardOf } from './yard.js';
 
+/** @import { Experiment } from '../../core/engine.js' */
 /** @import { Verdict } from '../words/common.js' */
 /** @import { Duel } from './duel.js' */
 /** @import { Block, Live, Tools } from '../page.js' */
@@ -48,7 +49,7 @@ export function priceInYard({ engine, state }) {
 }
 
 /** @param {Live} live */
-const tallyIn = (live) => tallyOf(progressSlice.of(live.state).tally, contestOf(live));
+const tallyIn = (live) => tallyOf(progressSlice.of(live.state).tallies, contestOf(live));
 
 /** @param {Live} live */
 const isPredicted = ({ state }) => progressSlice.of(state).answers[prediction] !== undefined;
@@ -74,9 +75,10 @@ export function createDuelStage(tools, _words) {
 /** Your trials so far, what you have beaten, and the button that locks them in. @param {Tools} tools @param {Words} words @returns {Block} */
 export function createDuelDrives({ store }, { duel: words }) {
   const element = create('section', { class: 'duel', 'aria-label': words.drivesLabel });
-  const startOver = () => {
-    const { [prediction]: _, ...answers } = progressSlice.of(store.get()).answers;
-    update(store, { answers, tally: noTally, duel: null, sees: 'you' });
+  const startOver = (/** @type {Experiment} */ of) => {
+    const { answers: before, tallies } = progressSlice.of(store.get());
+    const { [prediction]: _, ...answers } = before;
+    update(store, { answers, tallies: talliesBut(tallies, of), duel: null, sees: 'you' });
   };
   const changed = watch();
   return {
@@ -111,7 +113,7 @@ export function createDuelDrives({ store }, { duel: words }) {
           <div class="bar">
             <button id="duel-lock" type="button" class="primary" @click=${lock}
               ?hidden=${duel !== null} ?disabled=${costs.length === 0}>${words.lock}</button>
-            <button id="duel-new" type="button" @click=${startOver}
+            <button id="duel-new" type="button" @click=${() => startOver(experiment)}
               ?hidden=${duel === null && costs.length === 0}>${words.startOver}</button>
           </div>`,
         element,

@@ -17,7 +17,7 @@ export function createTallyLine(_tools, words) {
   return {
     element,
     draw(/** @type {Live} */ live) {
-      const tally = tallyOf(progressSlice.of(live.state).tally, live.scene.experiment);
+      const tally = tallyOf(progressSlice.of(live.state).tallies, live.scene.experiment);
       write(best, words.tally(tally));
       const lowest = lowestOf(tally.costs);
       write(beaten, shared.beaten(marksOfDrive(live).filter(({ cost }) => lowest < cost)));

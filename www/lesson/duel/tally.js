@@ -8,6 +8,9 @@ import { noTally, progressSlice } from '../state.js';
 /** @import { Tally } from '../state.js' */
 /** @import { Priced, Step } from '../steps.js' */
 
+/** Of so many experiments what was driven is kept. */
+export const mostTallies = 8;
+
 /** What a drive by hand depends on: all but evolution. @param {Experiment} experiment */
 export const taskText = (experiment) => JSON.stringify({ ...experiment, evolution: null });
 const textOf = remember(taskText);
@@ -47,7 +50,8 @@ export function createTally(store) {
       hand.rest();
       given = null;
       const name = `${drive.gains} ${drive.experiment}`;
-      if (name !== last || progressSlice.of(live.state).tally.drives === 0) record(store, drive);
+      if (name !== last || progressSlice.of(live.state).tallies[0]?.experiment !== drive.experiment)
+        record(store, drive);
       last = name;
     },
   };
@@ -55,18 +59,21 @@ export function createTally(store) {
 
 /** @param {Store} store @param {Priced} drive */
 function record(store, { experiment, gains, cost, arrived }) {
-  const { tally } = progressSlice.of(store.get());
-  const before = tally.experiment === experiment ? tally : { ...noTally, experiment };
+  const { tallies } = progressSlice.of(store.get());
+  const before = tallies.find((tally) => tally.experiment === experiment) ?? noTally;
   const isBest = arrived && (!before.best || cost < before.best.cost);
   const isLowest = !before.lowest || cost < before.lowest.cost;
   progressSlice.update(store, {
-    tally: {
-      ...before,
-      drives: before.drives + 1,
-      costs: [...before.costs, cost],
-      best: isBest ? { gains, cost } : before.best,
-      lowest: isLowest ? { gains, cost } : before.lowest,
-    },
+    tallies: [
+      {
+        experiment,
+        drives: before.drives + 1,
+        costs: [...before.costs, cost],
+        best: isBest ? { gains, cost } : before.best,
+        lowest: isLowest ? { gains, cost } : before.lowest,
+      },
+      ...tallies.filter((tally) => tally !== before),
+    ].slice(0, mostTallies),
   });
 }
 
@@ -104,5 +111,10 @@ function watchHand(store) {
   };
 }
 
-/** What was driven in this experiment. @param {Tally} tally @param {Experiment} experiment */
-export const tallyOf = (tally, experiment) => (tally.experiment === textOf(experiment) ? tally : noTally);
+/** What was driven in this experiment. @param {readonly Tally[]} tallies @param {Experiment} experiment */
+export const tallyOf = (tallies, experiment) =>
+  tallies.find((tally) => tally.experiment === textOf(experiment)) ?? noTally;
+
+/** What was driven in all others. @param {readonly Tally[]} tallies @param {Experiment} experiment */
+export const talliesBut = (tallies, experiment) =>
+  tallies.filter((tally) => tally.experiment !== textOf(experiment));

@@ -72,9 +72,9 @@ export function createQuiz(text, { order = text.choices.map((_, i) => i), watch:
       const button = (/** @type {number} */ i) => {
         const chosen = i === answer?.choice;
         const wrong = chosen && right !== null && i !== right;
-        const mark = wrong ? words.wrong : i === right ? words.right : '';
+        const mark = i === right ? words.right : chosen ? words.yours : '';
         const look = `choice${i === right ? ' right' : ''}${wrong ? ' wrong' : ''}${chosen ? ' chosen' : ''}`;
-        return html`<button type="button" class=${look} aria-disabled=${String(answer !== undefined)}
+        return html`<button type="button" class=${look} aria-pressed=${String(chosen)} aria-disabled=${String(answer !== undefined)}
           @click=${() => press(i)}><span class="choice-mark muted">${mark}</span><span>${choices[i]}</span></button>`;
       };
       const why =

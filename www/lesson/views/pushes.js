@@ -95,11 +95,12 @@ function createSide(side, unit, words) {
 function bar(side, { label, colour, term }, amount, sum = amount) {
   const at = (/** @type {number} */ value) => Math.min(Math.max(value / reach[side], -1), 1);
   const [low, high] = [Math.min(sum - amount, sum), Math.max(sum - amount, sum)];
-  const beyond = `${high > reach[side] ? ' beyond-right' : ''}${low < -reach[side] ? ' beyond-left' : ''}`;
+  // What pushes nothing leads nowhere.
+  const [right, left] = low < high ? [high > reach[side], low < -reach[side]] : [false, false];
   return html`<tr class=${colour} data-term=${term ?? nothing}>
     <th class="push-name" scope="row">${label}</th>
     <td class="push-cell"><span class="push-track"
-      ><span class=${`push${beyond}`} .style=${`left: ${50 + 50 * at(low)}%; right: ${50 - 50 * at(high)}%`}></span
+      ><span class="push ${right ? 'beyond-right' : ''} ${left ? 'beyond-left' : ''}" .style=${`left: ${50 + 50 * at(low)}%; right: ${50 - 50 * at(high)}%`}></span
     ></span></td>
     <td class="push-value">${signed(amount, 2)}</td>
   </tr>`;

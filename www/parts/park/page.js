@@ -71,6 +71,7 @@ export async function createPage(tools) {
         gains: play.gains(),
         driven: play.driven(),
         driving: parkedOf(film.drives),
+        film,
         moved: gains !== null,
         isFree: isFree(state, 'gains'),
         isOwn: play.isOwn(),

@@ -2,13 +2,14 @@
 /** @import { Experiment, Triple } from '../../core/engine.js' */
 /** @import { ParkState } from './state.js' */
 import { html, nothing } from 'lit-html';
+import { keyed } from 'lit-html/directives/keyed.js';
 import { live } from 'lit-html/directives/live.js';
 import { styled, unless, valueIn } from '../../kit/templates.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
 
 /** What there is once something has been tried, when it is there. @typedef {import('./after/page.js').After | null} After */
-/** @typedef {Omit<ParkState, 'gains'> & { gains: Triple, driven: Triple, driving: number, moved: boolean, isFree: boolean, isOwn: boolean, parked: number, over: boolean, count: number, population: number, tolerance: Experiment['tolerance'] }} Model `isFree`: the sliders can be moved; `isOwn`: the robots drive with the sliders' gains; `driven`: what they drive with, and `driving`: how many park so. */
+/** @typedef {Omit<ParkState, 'gains'> & { gains: Triple, driven: Triple, driving: number, film: unknown, moved: boolean, isFree: boolean, isOwn: boolean, parked: number, over: boolean, count: number, population: number, tolerance: Experiment['tolerance'] }} Model `isFree`: the sliders can be moved; `isOwn`: the robots drive with the sliders' gains; `driven`: what they drive with, and `driving`: how many park so; `film`: another at every drive. */
 /** @typedef {{ slide: (index: number, value: number) => void, again: () => void, evolve: () => void, stop: () => void, lesson: string | null, lab: string | null }} Events */
 
 /** @param {Model} model @param {After} after */
@@ -28,12 +29,13 @@ function driverOf({ bred, isOwn, moved, between, population }, after) {
 
 /** @param {Model} model @param {Events} on @param {After} after */
 export function sight(model, on, after) {
-  const { parked, count, bred, evolving, over, message, isOwn } = model;
+  const { film, parked, count, bred, evolving, over, message, isOwn } = model;
   const newest = bred.at(-1);
   return html`
     <p class="park-count"><strong id="park-count">${parked}</strong> <span>${words.ofParked(count)}</span>
       <span class="muted">${driverOf(model, after)}</span></p>
     <fieldset id="park-gains" class=${newest && !isOwn ? 'is-idle' : ''} aria-label=${words.sliders}>${after && newest ? after.key(model) : nothing}${lab.gains.map((gain, i) => rowOf(gain, i, model, on, after))}</fieldset>
+    ${after && newest && !evolving ? after.beyond(model, newest) : nothing}
     <p class="park-bar row">
       <button id="park-evolve" type="button" class=${newest ? '' : 'primary'} .disabled=${!model.moved && model.isFree} aria-describedby=${bred.length > 0 ? nothing : 'park-hint'}
         @click=${evolving ? on.stop : on.evolve}>${evolving ? words.stop : newest ? words.otherSeed : words.evolve}</button>
@@ -44,7 +46,7 @@ export function sight(model, on, after) {
     ${newest && !evolving ? after?.comparison(model, newest, after.walk) : nothing}
     ${newest && !evolving ? html`<p class="park-on row">${on.lesson ? html`<a id="park-lesson" href="#${on.lesson}">${words.how}</a>` : nothing} ${on.lab ? html`<a id="park-lab" href="#${on.lab}">${words.openLab}</a>` : nothing}</p>` : nothing}
     ${over && !evolving && parked < count ? html`<p class="muted">${words.missed(model.tolerance)} <span class="hint">${words.pressOne}</span></p>` : nothing}
-    <p class="visually-hidden" role="status">${over && !evolving ? (after?.told(model) ?? words.picture(parked, count)) : ''}</p>`;
+    <p class="visually-hidden" role="status">${keyed(film, html`${over && !evolving ? (after?.told(model) ?? words.picture(parked, count)) : ''}`)}</p>`;
 }
 
 /** @param {typeof lab.gains[number]} gain @param {number} index @param {Model} model @param {Events} on @param {After} after */

@@ -91,7 +91,11 @@ export function createSight(element, store) {
       ),
     };
     render(sight(own, shown, on), element);
-    tell(shown.readout, evolving || cursor !== null);
+    const result = survey?.spec === spec ? `${shown.share} ${shown.summary}. ` : '';
+    tell(
+      `${result}${shown.readout}`,
+      evolving || cursor !== null || (result === '' && !follows && !own.message),
+    );
   };
 }
 

@@ -1,5 +1,6 @@
 // What stands under the task of an exercise: whether its aim is met, the way to hand in, who works on it where that is needed
 // first, and, where a receipt was opened, whether it holds.
+/** @import { Exercise } from '../../run/exercise.js' */
 /** @import { Scene } from '../../run/scene.js' */
 /** @import { State } from '../../run/state.js' */
 /** @import { Measured } from './measure.js' */
@@ -9,6 +10,7 @@ import { tidyText } from '../../kit/text.js';
 import { html, nothing, render } from 'lit-html';
 import { byId } from '../../kit/elements.js';
 import { watch } from '../../kit/memo.js';
+import { createTeller } from '../../lab/announcer.js';
 import { onEnter } from '../../kit/templates.js';
 import { judged } from '../../run/aim.js';
 import { gainsOf } from '../../run/drivers.js';
@@ -27,6 +29,7 @@ import words from './words/index.js';
 
 const { texts } = words;
 
+/** What is known of what is asked for. @typedef {{ measured: Measured | null, isNew: boolean } | null} Known */
 /** @typedef {import('../../parts/part.js').Tools & { answersOf: (state: State) => import('./receipt.js').Answers, onHandIn: (handed: HandedIn) => void }} WorkTools */
 
 /** @param {WorkTools} tools @param {HTMLElement} root */
@@ -35,11 +38,12 @@ export function createWork(tools, root) {
   const channel = engine.surveys.channel();
   const sheet = createHandInSheet(tools);
   const verdict = createVerdict(tools);
-  /** null: it could not be measured. @type {{ measured: Measured | null, isNew: boolean } | null} */
+  /** null: it could not be measured. @type {Known} */
   let known = { measured: null, isNew: false };
   const asked = watch();
   const isOtherAim = watch();
   const drawn = watch();
+  const aimOf = createAim();
   const ownNow = createOwnNow(engine);
   let questions = 0;
 
@@ -102,7 +106,7 @@ export function createWork(tools, root) {
       const hadFocus = root.contains(document.activeElement);
       render(
         html`${said ? html`<p class="work-said ${said.isGood ? '' : 'bad'}" role="status">${said.text}</p>` : nothing}
-          ${aimLine(exercise, !isOpen || needsWho || said?.isGood === false ? null : known, drives)}
+          ${aimOf(exercise, !isOpen || needsWho || said?.isGood === false ? null : known, drives)}
           ${asksSomething(exercise) && !isOpen ? awayLine(isFree(state, 'parts') && (() => actions.openPage('lab'))) : nothing}
           ${needsWho && isOpen ? whoForm(begin, state.maker.open) : nothing}
           ${
@@ -129,23 +133,42 @@ const whoForm = (begin, isMade) => html`
     <button id="work-begin" type="button" class="primary" .disabled=${isMade} @click=${begin}>${texts.begin}</button>
   </div>`;
 
-/** @param {import('../../run/exercise.js').Exercise} exercise @param {{ measured: Measured | null, isNew: boolean } | null} known null: nothing that could be judged. @param {number} drives */
-function aimLine({ aim, scale }, known, drives) {
+/** What stands of the aim, which is told too. */
+function createAim() {
+  const tell = createTeller('aim');
+  return (/** @type {Exercise} */ exercise, /** @type {Known} */ known, /** @type {number} */ drives) => {
+    const result = known?.measured ? resultOf(exercise, known.measured, drives) : null;
+    // J itself the lab says.
+    if (result && known?.isNew)
+      tell([result.met, result.drives, result.points].filter(Boolean).join(', '), false);
+    return aimLine(exercise, known, result);
+  };
+}
+
+/** Whether the aim is met, and what it came to. @param {Exercise} exercise @param {Measured} measured @param {number} drives */
+function resultOf({ aim, scale }, measured, drives) {
+  if (!aim) return null;
+  const { isMet, points, most } = judged(aim, scale, { value: measured.value, drives });
+  return {
+    isMet,
+    met: words.metText(isMet, aim.drives === null || drives <= aim.drives),
+    value: words.valueText(aim.wanted, measured.value),
+    drives: aim.drives === null ? null : words.drivesText(drives, aim.drives),
+    points: points === null ? null : words.pointsText(points, most ?? 0),
+  };
+}
+
+/** @param {Exercise} exercise @param {Known} known null: nothing that could be judged. @param {ReturnType<typeof resultOf>} result */
+function aimLine({ aim }, known, result) {
   if (!aim) return nothing;
   const { wanted } = aim;
   const head = html`<b>${words.wantedText(wanted)}<span class="aim-budget">${words.budgetText(aim.drives)}</span></b>`;
   if (!known) return html`<p id="aim" class="aim">${head}</p>`;
-  const { measured, isNew } = known;
-  if (!measured) return html`<p id="aim" class="aim" role="status">${head} · ${texts.computing}</p>`;
-  const { isMet, points, most } = judged(aim, scale, { value: measured.value, drives });
-  const now = [
-    ['value', words.valueText(wanted, measured.value)],
-    ...(aim.drives === null ? [] : [['drives', words.drivesText(drives, aim.drives)]]),
-    ...(points === null ? [] : [['points', words.pointsText(points, most ?? 0)]]),
-  ];
-  return html`<p id="aim" class="aim ${wanted.kind} ${isMet ? 'met' : ''} ${isNew ? '' : 'late'}">${head}
-    <span class="aim-mark"><span aria-hidden="true">${isMet ? '✓' : '○'}</span> <span role="status">${words.metText(isMet)}</span></span>
-    ${now.map(([name, text]) => html`<span class="muted aim-${name}">${text}</span> `)}</p>`;
+  if (!result) return html`<p id="aim" class="aim" role="status">${head} · ${texts.computing}</p>`;
+  const { isMet, met, value, drives, points } = result;
+  return html`<p id="aim" class="aim ${wanted.kind} ${isMet ? 'met' : ''} ${known.isNew ? '' : 'late'}">${head}
+    <span class="aim-mark"><span aria-hidden="true">${isMet ? '✓' : '○'}</span> <span>${met}</span></span>
+    ${Object.entries({ value, drives, points }).map(([name, text]) => text && html`<span class="muted aim-${name}">${text}</span> `)}</p>`;
 }
 
 /** That nothing is handed in of what is tried here, and the way to where it is, if it is open. @param {false | (() => void)} toLab */

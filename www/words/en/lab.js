@@ -16,6 +16,7 @@ export const texts = {
   pageDescription:
     'Watch evolutionary programming find the gains of a mobile robot’s posture controller (Kim and Shim 1995).',
   pages: 'Parts of this page',
+  skip: 'Skip to the content',
   evolutionSection: 'Evolution',
   planeSection: 'The robots',
   robotClock: 'Clock of the robots',

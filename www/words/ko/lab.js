@@ -15,6 +15,7 @@ export const texts = {
   pageDescription:
     '진화 프로그래밍이 이동 로봇 자세 제어기의 이득을 찾아 가는 과정을 보여 줍니다(Kim과 Shim, 1995).',
   pages: '이 페이지의 구성',
+  skip: '본문으로 바로 가기',
   evolutionSection: '진화',
   planeSection: '로봇',
   robotClock: '로봇 재생',

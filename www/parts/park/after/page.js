@@ -10,6 +10,8 @@ import { driveInLab, linkInLab } from '../task.js';
 import { createLook } from './look.js';
 import * as sight from './sight.js';
 import { createWalk } from './walk.js';
+import { lab } from '../../../words/index.js';
+import words from './words/index.js';
 
 /** @typedef {ReturnType<typeof createAfter>} After */
 
@@ -29,9 +31,16 @@ export function createAfter(tools, task, play, { note, side, size }) {
     ...sight,
     walk: createWalk(store, task, play),
 
-    /** What is to be said of the robot that is looked at, once all have driven. @param {Model} model */
-    told: ({ looked, evolving, over, driven }) =>
-      looked !== null && over && !evolving ? look.textOf(looked, driven) : null,
+    /** What is to be said, once all have driven: of the robot that is looked at, with where it comes from, or of what evolution has found. @param {Model} model */
+    told(model) {
+      const { looked, driven, best, bred, isOwn, between } = model;
+      const newest = bred.at(-1);
+      if (looked !== null)
+        return `${look.textOf(looked, driven)} ${lab.startName}: ${lab.postureText(task.starts[looked])}`;
+      if (!newest || isOwn || between) return null;
+      const ending = sight.ending(model, newest);
+      return best ? `${ending} ${words.yoursParked(best.parked)}` : ending;
+    },
 
     /** @param {MouseEvent} event On the picture. */
     press({ offsetX, offsetY }) {

@@ -14,11 +14,19 @@ import park from '../words/index.js';
 import words from './words/index.js';
 
 /** @param {Model} model @param {Bred} found */
-export function ending(model, found) {
-  const { best, bred, count, ends, endsBefore, isFree } = model;
+export const ending = (model, found) =>
+  words.ending(
+    model,
+    found,
+    isDone(model.bred, model.count),
+    model.best !== null && areBeyond(model.best.gains, model.endsBefore),
+  );
+
+/** That a slider goes further now, if it does. @param {Model} model @param {Bred} found */
+export function beyond({ best, ends, endsBefore, isFree }, found) {
   const [, ky] = found.gains;
   const isFar = isFree && ky > endsBefore[1] && found.parked > (best?.parked ?? 0);
-  return html`${words.ending(model, found, isDone(bred, count), best !== null && areBeyond(best.gains, endsBefore))}${isFar ? html`<span class="park-beyond"> ${words.beyond(endsBefore[1], ky, ends[1])}</span>` : nothing}`;
+  return isFar ? html`<p class="park-beyond muted">${words.beyond(endsBefore[1], ky, ends[1])}</p>` : nothing;
 }
 
 /** @param {number} share */

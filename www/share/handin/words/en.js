@@ -84,8 +84,9 @@ const listed = (apart) => apart.map((thing) => things[thing]).join(', ');
 /** @param {readonly Thing[]} apart */
 export const apartText = (apart) => `Changed here: ${listed(apart)}.`;
 
-/** @param {boolean} isMet */
-export const metText = (isMet) => (isMet ? 'met' : 'not yet met');
+/** @param {boolean} isMet @param {boolean} isWithin Whether there are no more drives than the aim allows. */
+export const metText = (isMet, isWithin) =>
+  isMet ? 'met' : isWithin ? 'not yet met' : 'not met, too many drives';
 
 /** @param {boolean} isMet */
 export const metWord = (isMet) => (isMet ? 'met' : 'not met');

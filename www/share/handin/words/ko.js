@@ -85,8 +85,9 @@ const listed = (apart) => apart.map((thing) => things[thing]).join(', ');
 /** @param {readonly Thing[]} apart */
 export const apartText = (apart) => `여기서 바꾼 것: ${listed(apart)}.`;
 
-/** @param {boolean} isMet */
-export const metText = (isMet) => (isMet ? '달성' : '아직 미달');
+/** @param {boolean} isMet @param {boolean} isWithin Whether there are no more drives than the aim allows. */
+export const metText = (isMet, isWithin) =>
+  isMet ? '달성' : isWithin ? '아직 미달' : '미달, 주행 횟수 초과';
 
 /** @param {boolean} isMet */
 export const metWord = (isMet) => (isMet ? '달성' : '미달');
