@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { Key, pageTest } from '../harness/browsers.js';
 import { evolve, experiment, shown, simulate } from '../harness/core.js';
+import { hears, listen } from '../harness/heard.js';
 import { arrival, read } from '../harness/reading.js';
 
 const velocityLimits = experiment('velocity-limits');
@@ -37,24 +38,23 @@ pageTest('what is said of the pictures is true also while robots drive', async (
 });
 
 pageTest('a gain that is moved by keys is told with its J, once it stands', async (page) => {
-  await page.evaluate(() => {
-    const region = /** @type {HTMLElement} */ (document.getElementById('announcer'));
-    /** @type {string[]} */
-    const heard = [];
-    new MutationObserver(() => heard.push(region.textContent ?? '')).observe(region, { childList: true });
-    Object.assign(window, { heard });
-  });
+  await listen(page);
   await page.focus('#slider-kx');
   await page.press(...Array(5).fill(Key.ARROW_RIGHT));
   const gains = /** @type {[number, number, number]} */ ((await read(page)).gains.map(Number));
   const { cost, finalTime } = simulate(velocityLimits, gains);
   // Where keys come slowly, what stood between them is told too.
-  await page.until(
-    'J is told last',
-    (last) =>
-      /** @type {{ heard: string[] }} */ (/** @type {unknown} */ (window)).heard
-        .filter((text) => text !== '')
-        .at(-1) === last,
-    `J ${shown(cost.total)}, arrives after ${finalTime.toFixed(2)} s`,
-  );
+  await hears(page, `^J ${shown(cost.total)}, arrives after ${finalTime.toFixed(2)} s$`);
+});
+
+pageTest('what evolution pauses at is told, and how what was chosen drives', async (page) => {
+  await page.open('#lab&v=1&generation=99');
+  await listen(page);
+  await page.click('#run');
+  const { shown: best } = evolve(velocityLimits, 100);
+  await hears(page, `^Generation 100: best J ${best.cost}. Paused at generation 100. Press Run to go on.$`);
+  await page.click('#drives-paper-arbitrary');
+  await hears(page, `^J ${shown(simulate(velocityLimits, [10, 10, 10]).cost.total)}, arrives`);
+  await page.click('#drives-evolved');
+  await hears(page, `^J ${best.cost}, arrives`);
 });

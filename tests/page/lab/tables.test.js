@@ -88,3 +88,26 @@ pageTest('the robustness map can be read as a table', async (page) => {
   assert.equal(rows[12][1], String(first));
   assert.deepEqual([rows[12][0], head[1]], ['−2.00', '−2.00']);
 });
+
+pageTest('a table can be read where all is four times as large', async (page) => {
+  await page.resize(320, 256);
+  for (const [link, button] of [
+    ['#lab&v=1&generation=60', 'fitness-table'],
+    ['#landscape', 'landscape-table'],
+  ]) {
+    await page.open(link);
+    await page.until('there is a table', (id) => document.getElementById(id)?.checkVisibility(), button);
+    await readTable(page, button);
+    const seen = await page.evaluate(() => {
+      const rows = /** @type {HTMLTableElement} */ (document.getElementById('table-rows')).rows;
+      const sheet = /** @type {Element} */ (document.querySelector('dialog[open]'));
+      const row = rows[2];
+      row.scrollIntoView({ block: 'center' });
+      const { top, bottom } = row.getBoundingClientRect();
+      const box = sheet.getBoundingClientRect();
+      const middle = document.elementFromPoint(box.left + box.width / 2, (top + bottom) / 2);
+      return top >= box.top && bottom <= box.bottom && row.contains(middle);
+    });
+    assert.ok(seen, link);
+  }
+});

@@ -269,4 +269,13 @@ engineTest('a symbol that is pointed at lights up in formula and picture', async
   await page.until('it is lit', () => document.querySelector('#lesson .formula .lit'));
   const now = await lit();
   assert.ok(now.formula >= 1 && now.picture >= 2, JSON.stringify(now));
+  /** @param {string} pointerType */
+  const leave = (pointerType) =>
+    page.evaluate((type) => {
+      document.dispatchEvent(new PointerEvent('pointerleave', { pointerType: type }));
+    }, pointerType);
+  await leave('touch');
+  assert.deepEqual(await lit(), now, 'a finger that was lifted leaves it lit');
+  await leave('mouse');
+  assert.deepEqual(await lit(), { formula: 0, picture: 0 });
 });

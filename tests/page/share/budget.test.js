@@ -7,6 +7,7 @@ import { exerciseLink, receiptOf } from '../../../www/share/handin/receipt.js';
 import { createTask, driveInLab, linkInLab } from '../../../www/parts/park/task.js';
 import { experiment, paper } from '../harness/core.js';
 import { Key, pageTest } from '../harness/browsers.js';
+import { hears, listen } from '../harness/heard.js';
 import { test } from '../harness/once.js';
 import { pageOf } from '../run/page-of.js';
 import { engine, opened } from './hand-ins.js';
@@ -199,3 +200,20 @@ pageTest(
     assert.deepEqual(await page.problems(), []);
   },
 );
+
+pageTest('how the aim stands, and that the budget is spent, is said', async (page) => {
+  await page.open(`#${budget.replace('drives%3C%3D3', 'drives%3C%3D2')}`);
+  await page.until('the aim is judged', () => document.querySelector('.aim-drives'));
+  await listen(page);
+  await page.focus('#gain-ky');
+  const drive = async (/** @type {string} */ ky) => {
+    await page.press(...ky, Key.ENTER);
+    await page.focus('#gain-kx');
+    await page.focus('#gain-ky');
+  };
+  await drive('1');
+  await hears(page, 'met, 1 of 2 drives$');
+  await drive('0');
+  await drive('0.1');
+  await hears(page, 'not met, too many drives, 3 of 2 drives$');
+});

@@ -75,3 +75,44 @@ pageTest('a way from one part to another leads to the heading of what it opens',
   await page.until('Park is open', () => document.getElementById('park-lab')?.checkVisibility());
   await leadsTo('#park-lab', 'cost-title');
 });
+
+pageTest('the first stop leads over the head of the page to what it is about', async (page) => {
+  await page.open('#lab&v=1');
+  await page.press(Key.TAB);
+  assert.equal(await focused(page), 'skip');
+  await page.press(Key.ENTER, Key.TAB);
+  assert.equal(await focused(page), 'start-position');
+});
+
+/** How much of what has the focus is in sight. @param {Page} page */
+const inSight = (page) =>
+  page.evaluate(async () => {
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+    const { left, width, top, bottom } = /** @type {Element} */ (
+      document.activeElement
+    ).getBoundingClientRect();
+    const seen = [0.1, 0.5, 0.9].map((share) =>
+      document.elementFromPoint(left + width / 2, top + share * (bottom - top)),
+    );
+    return seen.every((one) => one && document.activeElement?.contains(one));
+  });
+
+pageTest('in a window of 320 by 256 pixels what has the focus is in sight', async (page) => {
+  await page.resize(320, 256);
+  await page.open('#lesson&step=1');
+  await page.focus('.quiz .choice');
+  for (let i = 0; i < 4; i += 1) {
+    assert.ok(await inSight(page), `${i} stops after the first answer`);
+    await page.press(Key.TAB);
+  }
+  await press(page, '.lesson-foot a:last-child');
+  await page.until('the next step is there', () => document.activeElement?.id === 'lesson-title');
+  assert.ok(await inSight(page), 'the title of the next step');
+
+  await page.open('#lab&v=1');
+  await page.click('#settings-button');
+  for (const control of ['play', 'run', 'slider-kx', 'gain-ktheta']) {
+    await page.focus(`#${control}`);
+    assert.ok(await inSight(page), control);
+  }
+});

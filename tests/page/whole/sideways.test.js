@@ -27,3 +27,29 @@ engineTest('on a telephone held sideways the robots stay beside all that is scro
     assert.ok(planeHeight >= 180, `${part}: a plane of ${planeHeight} px`);
   }
 });
+
+engineTest('there the words of a step stand beside its figure, all of which is in sight', async (page) => {
+  await page.resize(740, 360);
+  for (const step of [1, 3, 10]) {
+    await page.open(`#lesson&step=${step}`);
+    const { isBeside, cut } = await page.evaluate(async () => {
+      const [figure, words] = ['.figure', '#lesson'].map(
+        (selector) => /** @type {Element} */ (document.querySelector(selector)),
+      );
+      scrollTo({ top: document.documentElement.scrollHeight / 2, behavior: 'instant' });
+      await new Promise((resolve) => requestAnimationFrame(resolve));
+      const box = figure.getBoundingClientRect();
+      const isIn = (/** @type {DOMRect} */ { top, bottom, left, right }) =>
+        top >= box.top - 1 && bottom <= box.bottom + 1 && left >= box.left - 1 && right <= box.right + 1;
+      return {
+        isBeside:
+          box.top >= 0 && box.bottom <= innerHeight && box.right <= words.getBoundingClientRect().left,
+        cut: [...figure.querySelectorAll('#plane, #gains input, #run, #pushes, .map')]
+          .filter((one) => one.checkVisibility() && !isIn(one.getBoundingClientRect()))
+          .map(({ id }) => id),
+      };
+    });
+    assert.ok(isBeside, `step ${step}`);
+    assert.deepEqual(cut, [], `step ${step}`);
+  }
+});
