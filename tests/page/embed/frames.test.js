@@ -20,7 +20,10 @@ const essentials = {
 
 /** @param {string} name */
 const essentialsOf = (name) =>
-  essentials[name] ?? [`section.${name} [data-picture]`, `section.${name} :is(button, select, input)`];
+  essentials[name] ?? [
+    `section.${name} [data-picture]`,
+    `section.${name} :is(button, select, input):not(.heading *)`,
+  ];
 
 /** In the frame: what of a figure has no place. @param {readonly string[]} selectors */
 function misplaced([picture, control]) {

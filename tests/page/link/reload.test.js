@@ -7,11 +7,7 @@ import { Key, engineTest } from '../harness/browsers.js';
 /** From here on the address of this page is not written. @param {Page} page */
 const holdAddress = (page) =>
   page.evaluate(() => {
-    const { setTimeout } = window;
-    window.setTimeout = /** @type {any} */ (
-      (/** @type {() => void} */ act, /** @type {number} */ pause) =>
-        pause === 400 ? 0 : setTimeout(act, pause)
-    );
+    history.pushState = history.replaceState = () => {};
   });
 
 /** @param {Page} page */

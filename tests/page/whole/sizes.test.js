@@ -238,3 +238,23 @@ pageTest('for a finger every text button is as high as other controls', async (p
     for (const [name, height] of heights) assert.ok(Number(height) >= 44, `${name}: ${height} px in ${link}`);
   }
 });
+
+pageTest('another part would have its name at the head without the rest giving way', async (page) => {
+  for (const [width, height] of /** @type {const} */ ([
+    [1280, 720],
+    [768, 1024],
+  ])) {
+    await page.resize(width, height);
+    await page.open('#luck');
+    const { before, after, hidden } = await page.evaluate(() => {
+      const nav = /** @type {HTMLElement} */ (document.getElementById('pages'));
+      const high = () => document.querySelector('.masthead')?.clientHeight;
+      const before = high();
+      const another = /** @type {HTMLElement} */ (nav.lastElementChild?.cloneNode());
+      another.textContent = 'Sensitivity';
+      nav.append(another);
+      return { before, after: high(), hidden: nav.scrollWidth - nav.clientWidth };
+    });
+    assert.deepEqual({ after, hidden }, { after: before, hidden: 0 }, `${width} px`);
+  }
+});
