@@ -1,19 +1,22 @@
 // J and its parts.
 /** @import { Run } from '../core/engine.js' */
 import { html, render } from 'lit-html';
+import { write } from '../kit/elements.js';
 import { styled } from '../kit/templates.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
 
 /** @typedef {{ title: string, starts: number, run: Run, note: string }} CostModel */
 
-/** @param {HTMLElement} root */
-export function createCost(root) {
+/** @param {HTMLElement} root @param {HTMLElement} beside Where J stands once more. */
+export function createCost(root, beside) {
   const changed = watch();
   return {
     /** @param {CostModel} model */
     draw(model) {
-      if (changed(...Object.values(model))) render(costOf(model), root);
+      if (!changed(...Object.values(model))) return;
+      render(costOf(model), root);
+      write(beside, `J ${strings.costText(model.run.cost.total)}`);
     },
   };
 }

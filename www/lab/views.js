@@ -61,7 +61,7 @@ export const createViews = (store, actions) => ({
   }),
   notes: createNotes({ onRestore: actions.restorePostures }),
   robotBar: createRobotBar(byId('robot-clock'), actions),
-  cost: createCost(byId('cost')),
+  cost: createCost(byId('cost'), byId('gains-cost')),
   curve: createCurve(byId('curve')),
   sigmas: createSigmas(byId('sigmas')),
   curveChoice: createSegmented(

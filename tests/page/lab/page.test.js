@@ -65,7 +65,7 @@ engineTest(
     const controls = await page.evaluate(() => {
       /** @type {HTMLElement} */ (document.activeElement).blur();
       const all = /** @type {NodeListOf<HTMLInputElement>} */ (
-        document.querySelectorAll('a[href], button, input, select, textarea, summary, [tabindex]')
+        document.querySelectorAll('a[href], button, input, select, textarea, summary, [tabindex="0"]')
       );
       // Of radio buttons, Tab reaches the one that is chosen.
       return [...all]

@@ -1,6 +1,9 @@
+// On a telephone one sees what one does, however it is held.
 import assert from 'node:assert/strict';
 import { pageNames } from '../../../www/parts/parts.js';
-import { engineTest } from '../harness/browsers.js';
+import { Key, engineTest } from '../harness/browsers.js';
+import { experiment, shown, simulate } from '../harness/core.js';
+import { read } from '../harness/reading.js';
 
 engineTest('on a telephone held sideways the robots stay beside all that is scrolled', async (page) => {
   await page.resize(740, 340);
@@ -53,3 +56,41 @@ engineTest('there the words of a step stand beside its figure, all of which is i
     assert.deepEqual(cut, [], `step ${step}`);
   }
 });
+
+engineTest(
+  'on one held upright the robots stay above what is scrolled, and J beside the sliders',
+  async (page) => {
+    await page.resize(500, 640);
+    for (const part of ['lab', 'landscape', 'generation', 'luck']) {
+      await page.open(`#${part}&v=1`);
+      await page.until(`${part} is there`, (name) => document.body.dataset.open === name, part);
+      const { robots, last } = await page.evaluate(async () => {
+        scrollTo({ top: document.documentElement.scrollHeight, behavior: 'instant' });
+        await new Promise((resolve) => requestAnimationFrame(resolve));
+        const boxOf = (/** @type {Element} */ one) => one.getBoundingClientRect();
+        const shown = [...document.querySelectorAll('.readings > *')].filter((one) => one.checkVisibility());
+        return {
+          robots: boxOf(/** @type {Element} */ (document.querySelector('.robot'))),
+          last: Math.max(...shown.map((one) => boxOf(one).bottom)),
+        };
+      });
+      assert.ok(robots.top >= 0 && robots.bottom <= 340, `${part}: ${JSON.stringify(robots)}`);
+      assert.ok(last > robots.bottom + 200, `${part}: ${last} below ${robots.bottom}`);
+    }
+    await page.open('#lab&v=1&drives=hand&gains=3,2,5');
+    await page.focus('#slider-ky');
+    await page.press(Key.ARROW_RIGHT);
+    const { gains } = await read(page);
+    const { cost } = simulate(experiment('velocity-limits'), /** @type {any} */ (gains.map(Number)));
+    await page.until(
+      'J is beside it',
+      (text) => {
+        const j = /** @type {HTMLElement} */ (document.getElementById('gains-cost'));
+        const { top, bottom } = j.getBoundingClientRect();
+        const robots = /** @type {Element} */ (document.querySelector('.robot')).getBoundingClientRect();
+        return j.innerText === text && top >= robots.bottom && bottom <= innerHeight;
+      },
+      `J ${shown(cost.total)}`,
+    );
+  },
+);
