@@ -19,7 +19,7 @@ import { isSmall } from './plane-names.js';
 import { labSlice } from './state.js';
 import { showMessage } from './views.js';
 
-/** Of the lab as a whole there are else only its head and its message; of the sliders, nothing; of what is paid of J, nothing at the path; with steps, what leads on stands elsewhere. @typedef {Record<'lab' | 'gains' | 'pays' | 'steps', (state: State) => boolean>} InSight */
+/** Of the lab as a whole there are else only its head and its message; of the sliders, nothing; of what is paid of J, nothing at the path; how gains drive is told by the lab, unless the part does; with steps, what leads on stands elsewhere. @typedef {Record<'lab' | 'gains' | 'pays' | 'tells' | 'steps', (state: State) => boolean>} InSight */
 
 /**
  * What there is to draw of the lab, each view by its name.
@@ -82,10 +82,9 @@ export function createDraw(createViews, engine, paper, inSight) {
           driver,
           found: state.found,
           history,
-          generation,
           population: population.length,
-          evolving: state.evolving,
-          note: evolutionNote(state),
+          ...evolutionOf(state),
+          isToldBeside: inSight.tells(state),
           pins: state.pins,
           atRest: !robot.playing && !state.evolving && !state.dragging,
           tried: state.trial.start !== null,

@@ -21,7 +21,7 @@ function showMore(nav) {
   nav.classList.toggle('more-after', hidden > 1);
 }
 
-/** What is said of a page, and what it is laid out for. @typedef {{ name: string, purpose: (population: number) => string, room?: string }} Named */
+/** What is said of a page, and what it is laid out for. @typedef {{ name: string, purpose: (population: number) => string, room?: 'map' | 'plane' }} Named */
 
 /** Of the window, which names first what is open. @param {string} name */
 export const titleOf = (name) => `${name} · ${strings.texts.pageTitle}`;
@@ -37,7 +37,13 @@ export function showOn(elements, page) {
 function showSkip() {
   const skip = byId('skip');
   skip.hidden = isEmbedded;
-  skip.addEventListener('click', () => document.querySelector('main')?.focus());
+  skip.addEventListener('click', () => {
+    const main = /** @type {HTMLElement} */ (document.querySelector('main'));
+    // Not for ever: a press on the page would come to it.
+    main.tabIndex = -1;
+    main.addEventListener('blur', () => main.removeAttribute('tabindex'), { once: true });
+    main.focus();
+  });
 }
 
 /**

@@ -12,7 +12,7 @@ import { watch } from '../kit/memo.js';
 import { lab as strings, pins as pinWords } from '../words/index.js';
 
 /** What it takes from the state. @typedef {Pick<State, 'driver' | 'found' | 'history' | 'generation' | 'pins'> & ReturnType<typeof endsOf>} Told */
-/** `note`: what stands under the bar of evolution; `moved`: start or goal is not the paper's; `tried`: the start is one that evolution does not see. @typedef {Told & { scene: Scene, population: number, evolving: boolean, note: string, time: number, atRest: boolean, moved: boolean, tried: boolean }} NotesModel */
+/** `note`: what stands under the bar of evolution; `isToldBeside`: the open part tells how gains drive; `moved`: start or goal is not the paper's; `tried`: the start is one that evolution does not see. @typedef {Told & { scene: Scene, population: number, evolving: boolean, note: string, isToldBeside: boolean, time: number, atRest: boolean, moved: boolean, tried: boolean }} NotesModel */
 
 /** @param {{ onRestore: () => void }} events */
 export function createNotes({ onRestore }) {
@@ -52,32 +52,39 @@ export function createNotes({ onRestore }) {
   };
 }
 
-/** Of these gains by hand nothing else on the page says how they drive. @type {readonly State['found'][]} */
-const untold = ['hand', 'map'];
-
 /** What is said of its own accord: how evolution goes, what it has paused at, and how the gains drive that somebody chose. */
 function createTelling() {
   const bestChanged = watch();
   const pauseChanged = watch();
   const driveChanged = watch();
   let isThere = false;
-  return (/** @type {NotesModel} */ { scene, driver, found, history, generation, evolving, note, tried }) => {
-    const best = strings.announcement(history[generation]);
-    const isNew = bestChanged(history[generation]);
-    if (pauseChanged(evolving) && !evolving && isThere) announce('lab', `${best}. ${note}`);
-    else if (isNew && (evolving || driver === 'evolved')) announce('lab', best);
+  /** @param {NotesModel} model */
+  return ({ scene, driver, found, history, generation, evolving, note, isToldBeside, tried }) => {
     const { driving, chosen } = scene;
-    const isTold = !chosen && !tried && (driver !== 'hand' || untold.includes(found));
+    const shown = history[generation];
+    // Gains that were found elsewhere are told there; those of a map are not.
+    const isUntold = driver === 'hand' && found === 'map';
+    const isTold =
+      !chosen && !tried && (isUntold || (!isToldBeside && (driver !== 'hand' || found === 'hand')));
     // What evolution drives changes by itself.
-    const drive = driver === 'evolved' ? driver : driving;
+    const isOther = driveChanged(isTold && (driver === 'evolved' ? driver : driving));
+    const isNew = bestChanged(shown);
+    const hasPaused = pauseChanged(evolving) && !evolving;
     // What is there from the beginning is read in its place.
-    if (driveChanged(isTold && drive) && isTold && isThere)
+    if (!isThere) {
+      isThere = true;
+      return;
+    }
+    const best = strings.announcement(shown);
+    if (hasPaused)
+      announce('lab', note.includes(strings.costText(shown.best.cost)) ? note : `${best}. ${note}`);
+    else if (isNew && (evolving || !isOther)) announce('lab', best);
+    if (isOther && isTold)
       announce(
         'lab',
         `J ${strings.costText(driving.cost.total)}, ${strings.outcomeText(driving)}`,
         settlingMilliseconds,
       );
-    isThere = true;
   };
 }
 

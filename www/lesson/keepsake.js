@@ -2,11 +2,11 @@
 import { withStorage } from '../kit/tab.js';
 import { language } from '../words/language.js';
 import { mostTallies } from './duel/tally.js';
-import { noProgress, progressSlice } from './state.js';
+import { noProgress, noTally, progressSlice } from './state.js';
 
 /** @import { Engine } from '../core/engine.js' */
 /** @import { Store } from '../run/store.js' */
-/** @import { Answer, Progress } from './state.js' */
+/** @import { Answer, Progress, Tally } from './state.js' */
 
 const key = 'ep-locomotion lesson';
 const placeKey = 'ep-locomotion place';
@@ -46,7 +46,10 @@ export function progressOf(text, engine) {
   return {
     ...noProgress,
     answers: Object.fromEntries(heard),
-    tallies: tallies.slice(0, mostTallies).filter(isTally).map(whole),
+    tallies: tallies
+      .slice(0, mostTallies)
+      .filter(isTally)
+      .map((/** @type {Tally} */ one) => whole({ ...noTally, ...one })),
     duel:
       duel && isDriven(duel) && (duel.gains === null || areGains(duel.gains))
         ? whole({ ...duel, experiment: engine.experiment(duel.experiment), rounds: [] })

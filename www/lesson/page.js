@@ -1,5 +1,6 @@
 // The lesson: the words of one step beside the lab's own views.
 import { byId, followSize } from '../kit/elements.js';
+import { isEmbedded } from '../kit/host.js';
 import { watch } from '../kit/memo.js';
 import { gainsOf } from '../run/drivers.js';
 import { createStep, nameOf } from './blocks.js';
@@ -95,9 +96,9 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
       for (const block of blocks) block.draw(live);
       // What it holds gives it its height.
       if (isNew && !state.dragging) goToPlace(lesson);
-      // In a low window it is below the figure.
-      const title = byId('lesson-title');
-      if (isNew && document.activeElement === title) title.scrollIntoView({ block: 'nearest' });
+      // In a low window it is below the figure; a page around this frame stays where it is.
+      if (isNew && !isEmbedded && document.activeElement?.id === 'lesson-title')
+        byId('lesson-title').scrollIntoView({ block: 'nearest' });
       settle(live, step, tools);
     },
   };

@@ -36,6 +36,7 @@
  * @property {'map' | 'plane'} [room] What it is laid out for: a map, for which the parts of J and the plane make room, or, beside a text, the room of the plane.
  * @property {true} [alone] Whether it has the whole page, with nothing of the lab beside it.
  * @property {true} [pays] Whether what is paid of J on the way stands at the path on the plane.
+ * @property {true} [tells] Whether it says aloud how the gains drive that somebody chooses.
  * @property {true} [phases] Where a generation is seen phase by phase.
  * @property {readonly [share: number, most: number]} figure How high a figure of it looks best for its width, and the most that helps it, in pixels.
  * @property {() => Promise<(tools: Tools) => Page | Promise<Page>>} load What makes its page, which is not loaded before it is opened.

@@ -53,6 +53,7 @@ export const inSight = {
   lab: ({ page }) => !partOf(page)?.alone,
   gains: (state) => state.page === 'lab' || (partOf(state.page)?.gains?.(state) ?? state.driver === 'hand'),
   pays: ({ page }) => partOf(page)?.pays ?? false,
+  tells: ({ page }) => partOf(page)?.tells ?? false,
   steps: ({ page }) => partOf(page)?.phases ?? false,
 };
 

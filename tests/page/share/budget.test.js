@@ -5,7 +5,7 @@ import { withExercise } from '../../../www/link/link.js';
 import { caughtUp, drivesOf, newWork } from '../../../www/run/state.js';
 import { exerciseLink, receiptOf } from '../../../www/share/handin/receipt.js';
 import { createTask, driveInLab, linkInLab } from '../../../www/parts/park/task.js';
-import { experiment, paper } from '../harness/core.js';
+import { experiment, paper, simulate } from '../harness/core.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { hears, listen } from '../harness/heard.js';
 import { test } from '../harness/once.js';
@@ -212,8 +212,19 @@ pageTest('how the aim stands, and that the budget is spent, is said', async (pag
     await page.focus('#gain-ky');
   };
   await drive('1');
-  await hears(page, 'met, 1 of 2 drives$');
+  const { cost } = simulate(experiment('velocity-limits'), [3.3, 1, 4.5]);
+  await hears(page, `(^|\\. )${cost.total < 9 ? '' : 'not yet '}met, 1 of 2 drives$`);
   await drive('0');
   await drive('0.1');
   await hears(page, 'not met, too many drives, 3 of 2 drives$');
+});
+
+pageTest('while generations are counted, what they come to is heard', async (page) => {
+  await page.open('#lab&v=1&task=Few.&aim=J%3C5;drives%3C%3D4000');
+  await page.until('the aim is judged', () => document.querySelector('.aim-drives'));
+  await listen(page);
+  await page.click('#run');
+  await hears(page, '^Generation [1-9][0-9]*: best J');
+  await page.click('#run');
+  await hears(page, 'not yet met, [0-9]+ of 4000 drives$');
 });

@@ -82,6 +82,12 @@ pageTest('the first stop leads over the head of the page to what it is about', a
   assert.equal(await focused(page), 'skip');
   await page.press(Key.ENTER, Key.TAB);
   assert.equal(await focused(page), 'start-position');
+  // Nothing but that comes to the page itself: Escape still closes what is open.
+  await page.click('#settings-button');
+  await page.click('#cost-title');
+  assert.equal(await page.evaluate(() => document.activeElement === document.body), true);
+  await page.press(Key.ESCAPE);
+  await page.until('they are closed', () => !document.getElementById('settings')?.checkVisibility());
 });
 
 /** How much of what has the focus is in sight. @param {Page} page */

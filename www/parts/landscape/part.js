@@ -49,6 +49,7 @@ export const landscape = {
   places: { gains: { lock: '#landscape-map' } },
   beside: ['cost', 'evolution', 'driver'],
   room: 'map',
+  tells: true,
   figure: [0.64, 620],
   load: () => makerFrom([loadWords], () => import('./page.js')),
 };

@@ -81,7 +81,7 @@ export async function createPage(tools) {
         tolerance: task.tolerance,
         population: task.population,
       };
-      const said = [parked, model.over, model.isOwn, after, shownExercise(state)];
+      const said = [parked, model.over && film, model.isOwn, after, shownExercise(state)];
       // Its links carry what stands beside Park as well.
       if (!changed(state.slices.park, ...said, ...links.carried(state))) return;
       plane.setAttribute('aria-label', words.planeLabel(parked, model.count));

@@ -1,5 +1,6 @@
 // What stands beside the parking place: what to do, how many have parked, three sliders, and what evolution found.
 /** @import { Experiment, Triple } from '../../core/engine.js' */
+/** @import { Film } from './film.js' */
 /** @import { ParkState } from './state.js' */
 import { html, nothing } from 'lit-html';
 import { keyed } from 'lit-html/directives/keyed.js';
@@ -9,7 +10,7 @@ import { lab } from '../../words/index.js';
 import words from './words/index.js';
 
 /** What there is once something has been tried, when it is there. @typedef {import('./after/page.js').After | null} After */
-/** @typedef {Omit<ParkState, 'gains'> & { gains: Triple, driven: Triple, driving: number, film: unknown, moved: boolean, isFree: boolean, isOwn: boolean, parked: number, over: boolean, count: number, population: number, tolerance: Experiment['tolerance'] }} Model `isFree`: the sliders can be moved; `isOwn`: the robots drive with the sliders' gains; `driven`: what they drive with, and `driving`: how many park so; `film`: another at every drive. */
+/** @typedef {Omit<ParkState, 'gains'> & { gains: Triple, driven: Triple, driving: number, film: Film, moved: boolean, isFree: boolean, isOwn: boolean, parked: number, over: boolean, count: number, population: number, tolerance: Experiment['tolerance'] }} Model `isFree`: the sliders can be moved; `isOwn`: the robots drive with the sliders' gains; `driven`: what they drive with, and `driving`: how many park so; `film`: another at every drive, once it is over. */
 /** @typedef {{ slide: (index: number, value: number) => void, again: () => void, evolve: () => void, stop: () => void, lesson: string | null, lab: string | null }} Events */
 
 /** @param {Model} model @param {After} after */

@@ -32,6 +32,7 @@ export const robustness = {
   tries: ['start'],
   beside: ['cost', 'driver'],
   room: 'map',
+  tells: true,
   figure: [0.64, 620],
   load: () => makerFrom([loadWords], () => import('./page.js')),
 };

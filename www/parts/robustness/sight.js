@@ -91,11 +91,12 @@ export function createSight(element, store) {
       ),
     };
     render(sight(own, shown, on), element);
-    const result = survey?.spec === spec ? `${shown.share} ${shown.summary}. ` : '';
-    tell(
-      `${result}${shown.readout}`,
-      evolving || cursor !== null || (result === '' && !follows && !own.message),
-    );
+    const result = follows
+      ? `${words.tracking} `
+      : survey?.spec === spec
+        ? `${shown.share} ${shown.summary}. `
+        : '';
+    tell(`${result}${shown.readout}`, evolving || cursor !== null || (result === '' && !own.message));
   };
 }
 

@@ -84,11 +84,6 @@ export function createWork(tools, root) {
     actions.say(messageOf(error));
   };
 
-  const begin = () => {
-    const who = tidyText(/** @type {HTMLInputElement} */ (byId('work-who')).value);
-    if (who) actions.setWho(who);
-  };
-
   return {
     /** @param {State} state @param {Scene} scene */
     draw(state, scene) {
@@ -102,13 +97,15 @@ export function createWork(tools, root) {
       const isOnItsWay = state.catchingUp !== null;
       const { apart } = ownNow(state);
       const needsWho = exercise.vary.length > 0 && (state.student.who === '' || state.maker.open);
-      if (!drawn(exercise, state.student, known, said, drives, isOpen, isOnItsWay, apart, needsWho)) return;
+      const { student, evolving } = state;
+      const seen = [student, known, drives, isOpen, isOnItsWay, apart, needsWho, evolving];
+      if (!drawn(exercise, said, ...seen)) return;
       const hadFocus = root.contains(document.activeElement);
       render(
         html`${said ? html`<p class="work-said ${said.isGood ? '' : 'bad'}" role="status">${said.text}</p>` : nothing}
-          ${aimOf(exercise, !isOpen || needsWho || said?.isGood === false ? null : known, drives)}
+          ${aimOf(exercise, !isOpen || needsWho || said?.isGood === false ? null : known, drives, evolving)}
           ${asksSomething(exercise) && !isOpen ? awayLine(isFree(state, 'parts') && (() => actions.openPage('lab'))) : nothing}
-          ${needsWho && isOpen ? whoForm(begin, state.maker.open) : nothing}
+          ${needsWho && isOpen ? whoForm(actions.setWho, state.maker.open) : nothing}
           ${
             isOpen && !needsWho
               ? html`<button id="hand-in" type="button" class=${said ? '' : 'primary'} .disabled=${state.maker.open || isOnItsWay} @click=${sheet.open}>${texts.handIn}</button>`
@@ -124,23 +121,33 @@ export function createWork(tools, root) {
   };
 }
 
-/** No form, which some frames forbid. @param {() => void} begin @param {boolean} isMade It is only looked at. */
-const whoForm = (begin, isMade) => html`
+/** No form, which some frames forbid. @param {(who: string) => void} onWho @param {boolean} isMade It is only looked at. */
+function whoForm(onWho, isMade) {
+  const begin = () => {
+    const who = tidyText(/** @type {HTMLInputElement} */ (byId('work-who')).value);
+    if (who) onWho(who);
+  };
+  return html`
   <div class="work-who row">
     <label for="work-who">${texts.whoFirst}</label>
     <input id="work-who" type="text" maxlength=${mostOfWho} autocomplete="off" placeholder=${texts.whoLabel}
       @keydown=${onEnter(begin)} .disabled=${isMade}>
     <button id="work-begin" type="button" class="primary" .disabled=${isMade} @click=${begin}>${texts.begin}</button>
   </div>`;
+}
 
 /** What stands of the aim, which is told too. */
 function createAim() {
   const tell = createTeller('aim');
-  return (/** @type {Exercise} */ exercise, /** @type {Known} */ known, /** @type {number} */ drives) => {
+  /** @param {Exercise} exercise @param {Known} known @param {number} drives @param {boolean} isQuiet */
+  return (exercise, known, drives, isQuiet) => {
     const result = known?.measured ? resultOf(exercise, known.measured, drives) : null;
-    // J itself the lab says.
-    if (result && known?.isNew)
-      tell([result.met, result.drives, result.points].filter(Boolean).join(', '), false);
+    if (result && known?.isNew) {
+      const { met, value, drives, points } = result;
+      // J the lab says.
+      const isCost = exercise.aim?.wanted.kind === 'cost';
+      tell([met, isCost ? null : value, drives, points].filter(Boolean).join(', '), isQuiet);
+    }
     return aimLine(exercise, known, result);
   };
 }
@@ -167,7 +174,7 @@ function aimLine({ aim }, known, result) {
   if (!result) return html`<p id="aim" class="aim" role="status">${head} · ${texts.computing}</p>`;
   const { isMet, met, value, drives, points } = result;
   return html`<p id="aim" class="aim ${wanted.kind} ${isMet ? 'met' : ''} ${known.isNew ? '' : 'late'}">${head}
-    <span class="aim-mark"><span aria-hidden="true">${isMet ? '✓' : '○'}</span> <span>${met}</span></span>
+    <span class="aim-mark"><span aria-hidden="true">${isMet ? '✓' : '○'}</span> ${met}</span>
     ${Object.entries({ value, drives, points }).map(([name, text]) => text && html`<span class="muted aim-${name}">${text}</span> `)}</p>`;
 }
 

@@ -37,9 +37,11 @@ export function createAfter(tools, task, play, { note, side, size }) {
       const newest = bred.at(-1);
       if (looked !== null)
         return `${look.textOf(looked, driven)} ${lab.startName}: ${lab.postureText(task.starts[looked])}`;
-      if (!newest || isOwn || between) return null;
+      // What the slider of the way says itself.
+      if (between) return '';
+      if (!newest || isOwn) return null;
       const ending = sight.ending(model, newest);
-      return best ? `${ending} ${words.yoursParked(best.parked)}` : ending;
+      return best && best.parked < newest.parked ? `${ending} ${words.youParked(best.parked)}` : ending;
     },
 
     /** @param {MouseEvent} event On the picture. */

@@ -29,6 +29,9 @@ export const climbAxis = (count) => `${count} parked`;
 /** @param {number} parked */
 export const yoursParked = (parked) => `yours ${parked}`;
 
+/** @param {number} parked */
+export const youParked = (parked) => `You parked ${parked}.`;
+
 export const parkedColumn = 'parked';
 export const bestByHand = 'yours';
 export const evolved = 'evolution’s';

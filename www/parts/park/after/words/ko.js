@@ -29,6 +29,9 @@ export const climbAxis = (count) => `주차 ${count}대`;
 /** @param {number} parked */
 export const yoursParked = (parked) => `직접 ${parked}`;
 
+/** @param {number} parked */
+export const youParked = (parked) => `직접 찾은 숫자로는 ${parked}대를 주차했습니다.`;
+
 export const parkedColumn = '주차';
 export const bestByHand = '직접';
 export const evolved = '진화';
