@@ -147,10 +147,7 @@ pageTest('once evolution has gone beyond a slider that goes as far, and a hand p
   const ky = 10 * Math.ceil(gains[1] / 10);
   assert.ok(ky > 12);
   assert.deepEqual(await ends(), ['12', String(ky), '12']);
-  assert.equal(
-    await page.text('#park-gains + p'),
-    `Evolution took ky to ${gains[1].toFixed(0)}. Your slider now goes to ${ky}, not 12.`,
-  );
+  assert.match(await page.text('#park-gains + p'), RegExp(`to ${gains[1].toFixed(0)}. .* to ${ky}, not 12`));
   const found = gains.map((gain) => Math.round(10 * gain) / 10);
   for (const [i, id] of ['kx', 'ky', 'ktheta'].entries()) await slide(page, id, found[i]);
   assert.equal(await counted(page), 32);
@@ -205,7 +202,6 @@ pageTest(
       await told(),
       /\d\.\d\d m to the side.*; there ky asks for −?\d\.\d{3} m\/s and −?\d\.\d{3} rad\/s\.$/,
     );
-    // Read aloud, it also says from where: that is to be seen.
     const aloud = await page.text('.park-side [role="status"]');
     assert.ok(aloud.startsWith(`${await told()} Start: `), aloud);
     assert.deepEqual(await page.obstacles('#park'), []);
