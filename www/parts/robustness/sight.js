@@ -91,12 +91,11 @@ export function createSight(element, store) {
       ),
     };
     render(sight(own, shown, on), element);
-    const result = follows
-      ? `${words.tracking} `
-      : survey?.spec === spec
-        ? `${shown.share} ${shown.summary}. `
-        : '';
-    tell(`${result}${shown.readout}`, evolving || cursor !== null || (result === '' && !own.message));
+    // What is said of the map before is not true of this one.
+    const isStale = survey?.spec !== spec && own.message === '';
+    element.setAttribute('aria-busy', String(isStale));
+    const result = follows ? words.tracking : `${shown.share} ${shown.summary}.`;
+    tell(own.message ? shown.readout : `${result} ${shown.readout}`, evolving || cursor !== null || isStale);
   };
 }
 
