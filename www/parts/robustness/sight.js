@@ -95,7 +95,8 @@ export function createSight(element, store) {
     const isStale = survey?.spec !== spec && own.message === '';
     element.setAttribute('aria-busy', String(isStale));
     const result = follows ? words.tracking : `${shown.share} ${shown.summary}.`;
-    tell(own.message ? shown.readout : `${result} ${shown.readout}`, evolving || cursor !== null || isStale);
+    const said = own.message ? shown.readout : `${result} ${shown.readout}`;
+    tell(isStale ? '' : said, isStale || evolving || cursor !== null);
   };
 }
 
