@@ -104,7 +104,7 @@ export function lesson({ results: { one, circle, grid } }) {
     `On a circle of ${circle.training.starts.length}: ${percentOf(circle)}, on a grid of ${grid.training.starts.length}: ${percentOf(grid)}.`,
   ];
   const best = circle.unseen.count >= grid.unseen.count ? circle : grid;
-  return `${found.join(' ')} ${moral(one, best)}`.trim();
+  return `${found.join(' ')} ${moral(one, best, best === circle ? 'circle' : 'grid')}`.trim();
 }
 
 export const tracking =
@@ -121,11 +121,11 @@ export function spreadText({ one, circle, grid }, unseen, own) {
   return `One seed is a matter of luck. With ${one.length} seeds the robots evolved on ${starts(own)} arrive from ${range(one)} of the starts they never saw, those of the circle from ${range(circle)}, those of the grid from ${range(grid)}.`;
 }
 
-/** What more arrivals cost, or why there are no more. Nothing where neither is so. @param {Result} one @param {Result} many */
-function moral(one, many) {
+/** What more arrivals cost, or why there are no more. Nothing where neither is so. @param {Result} one @param {Result} many @param {string} where */
+function moral(one, many, where) {
   const arrivesMore = many.unseen.count > one.unseen.count;
   if (arrivesMore && many.own > one.own)
-    return `The price: J from the experiment’s ${one.training.starts.length === 1 ? 'start' : 'starts'} is ${cost(many.own)}, not ${cost(one.own)}.`;
+    return `The price: evolved on the ${where}, J from the experiment’s ${one.training.starts.length === 1 ? 'start' : 'starts'} is ${cost(many.own)}, not ${cost(one.own)}.`;
   if (!arrivesMore && many.unseen.cost < one.unseen.cost)
     return `Yet the mean J falls to ${cost(many.unseen.cost)} from ${cost(one.unseen.cost)}: J asks for a cheap drive, not for an arrival.`;
   return '';

@@ -95,7 +95,7 @@ const percentOf = ({ unseen }) => percent(unseen.count, unseen.starts.length);
 export function lesson({ results: { one, circle, grid } }) {
   const found = `처음 보는 출발점 ${grouped(one.unseen.starts.length)}개 중 도착 비율: 출발점 ${one.training.starts.length}개로 진화하면 ${percentOf(one)}, 원 위의 ${circle.training.starts.length}개로는 ${percentOf(circle)}, 격자의 ${grid.training.starts.length}개로는 ${percentOf(grid)}입니다.`;
   const best = circle.unseen.count >= grid.unseen.count ? circle : grid;
-  return `${found} ${moral(one, best)}`.trim();
+  return `${found} ${moral(one, best, best === circle ? '원' : '격자')}`.trim();
 }
 
 export const tracking =
@@ -112,11 +112,11 @@ export function spreadText({ one, circle, grid }, unseen, own) {
   return `시드 하나로는 운이 크게 작용합니다. 시드 ${one.length}개로 진화시키면 처음 보는 출발점에서 도착하는 비율은 출발점 ${own === 1 ? '하나' : `${own}개`}로 진화한 로봇이 ${range(one)}, 원으로 진화한 로봇이 ${range(circle)}, 격자로 진화한 로봇이 ${range(grid)}\u2060입니다.`;
 }
 
-/** What more arrivals cost, or why there are no more. Nothing where neither is so. @param {Result} one @param {Result} many */
-function moral(one, many) {
+/** What more arrivals cost, or why there are no more. Nothing where neither is so. @param {Result} one @param {Result} many @param {string} where */
+function moral(one, many, where) {
   const arrivesMore = many.unseen.count > one.unseen.count;
   if (arrivesMore && many.own > one.own)
-    return `그 대가로 실험의 출발점에서 J는 ${cost(one.own)}에서 ${cost(many.own)}까지 올라갑니다.`;
+    return `그 대가로 ${where}로 진화한 로봇은 실험의 출발점에서 J가 ${cost(one.own)}에서 ${cost(many.own)}까지 올라갑니다.`;
   if (!arrivesMore && many.unseen.cost < one.unseen.cost)
     return `그래도 평균 J는 ${cost(one.unseen.cost)}에서 ${cost(many.unseen.cost)}까지 내려갑니다. J가 요구하는 것은 도착이 아니라 비용이 낮은 주행입니다.`;
   return '';
