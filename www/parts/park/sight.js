@@ -18,7 +18,7 @@ export function heading(model, after) {
   const newest = model.evolving ? undefined : model.bred.at(-1);
   return html`
     <h2 id="park-title">${words.title}</h2>
-    <p class="park-say">${after && newest ? after.ending(model, newest) : words.invitation(model.count)}</p>`;
+    <p class="park-say">${after && newest ? html`${after.ending(model, newest)}${after.beyond(model, newest)}` : words.invitation(model.count)}</p>`;
 }
 
 /** Whose robots drive. @param {Model} model @param {After} after */
@@ -36,7 +36,6 @@ export function sight(model, on, after) {
     <p class="park-count"><strong id="park-count">${parked}</strong> <span>${words.ofParked(count)}</span>
       <span class="muted">${driverOf(model, after)}</span></p>
     <fieldset id="park-gains" class=${newest && !isOwn ? 'is-idle' : ''} aria-label=${words.sliders}>${after && newest ? after.key(model) : nothing}${lab.gains.map((gain, i) => rowOf(gain, i, model, on, after))}</fieldset>
-    ${after && newest && !evolving ? after.beyond(model, newest) : nothing}
     <p class="park-bar row">
       <button id="park-evolve" type="button" class=${newest ? '' : 'primary'} .disabled=${!model.moved && model.isFree} aria-describedby=${bred.length > 0 ? nothing : 'park-hint'}
         @click=${evolving ? on.stop : on.evolve}>${evolving ? words.stop : newest ? words.otherSeed : words.evolve}</button>
@@ -52,7 +51,7 @@ export function sight(model, on, after) {
 
 /** @param {typeof lab.gains[number]} gain @param {number} index @param {Model} model @param {Events} on @param {After} after */
 function rowOf({ id, name, letter, index: sub }, index, model, on, after) {
-  const { gains, driven, bred, isOwn, evolving, ends } = model;
+  const { gains, driven, bred, isOwn, evolving, ends, endsBefore } = model;
   const [value, most] = [gains[index], ends[index]];
   return html`<div class="gain ${id}">
     <label for="park-${id}">${letter}<sub>${sub}</sub> <span class="park-what">${words.whatFor[index]}</span></label>
@@ -60,6 +59,7 @@ function rowOf({ id, name, letter, index: sub }, index, model, on, after) {
       .value=${live(String(value))} .disabled=${evolving} ${styled('--from', '0%')} ${styled('--to', `${(100 * value) / most}%`)}
       @input=${(/** @type {Event} */ event) => on.slide(index, Number(valueIn(event)))}>
     <span class="park-gain">${words.gain(value)}</span>
+    ${most > endsBefore[index] ? html`<span class="park-end muted" aria-hidden="true">${most}</span>` : nothing}
     ${bred.length > 0 ? after?.mark(isOwn ? (bred.at(-1)?.gains ?? driven)[index] : driven[index], most) : nothing}
   </div>`;
 }

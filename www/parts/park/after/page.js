@@ -40,7 +40,7 @@ export function createAfter(tools, task, play, { note, side, size }) {
       // What the slider of the way says itself.
       if (between) return '';
       if (!newest || isOwn) return null;
-      const ending = sight.ending(model, newest);
+      const ending = `${sight.ending(model, newest)}${sight.beyond(model, newest)}`;
       return best && best.parked < newest.parked ? `${ending} ${words.youParked(best.parked)}` : ending;
     },
 

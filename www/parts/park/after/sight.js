@@ -26,7 +26,7 @@ export const ending = (model, found) =>
 export function beyond({ best, ends, endsBefore, isFree }, found) {
   const [, ky] = found.gains;
   const isFar = isFree && ky > endsBefore[1] && found.parked > (best?.parked ?? 0);
-  return isFar ? html`<p class="muted">${words.beyond(endsBefore[1], ky, ends[1])}</p>` : nothing;
+  return isFar ? ` ${words.beyond(endsBefore[1], ky, ends[1])}` : '';
 }
 
 /** @param {number} share */

@@ -19,7 +19,7 @@ export function ending({ best, count }, { parked, generation }, isDone, isFurthe
 
 /** Where evolution has gone beyond the slider, and where that ends now. @param {number} before @param {number} ky @param {number} now */
 export const beyond = (before, ky, now) =>
-  `Evolution took ky to ${fixed(ky, 0)}. Your slider now goes to ${now}, not ${before}.`;
+  `Your slider for ky ended at ${before}, evolution went to ${fixed(ky, 0)}. Now yours goes to ${now}: try.`;
 
 /** @param {Bred} newest */
 export const climb = ({ generation, parked, drives }) =>

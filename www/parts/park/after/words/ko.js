@@ -19,7 +19,7 @@ export function ending({ best, count }, { parked, generation }, isDone, isFurthe
 
 /** Where evolution has gone beyond the slider, and where that ends now. @param {number} before @param {number} ky @param {number} now */
 export const beyond = (before, ky, now) =>
-  `진화가 찾은 ky는 ${fixed(ky, 0)}입니다. 슬라이더의 끝이 ${before}에서 ${now}으로 늘어났습니다.`;
+  `ky 슬라이더는 ${before}에서 끝났고 진화는 ${fixed(ky, 0)}까지 갔습니다. 이제 ${now}까지 움직일 수 있으니 직접 해 보십시오.`;
 
 /** @param {Bred} newest */
 export const climb = ({ generation, parked, drives }) =>
