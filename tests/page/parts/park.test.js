@@ -33,7 +33,8 @@ test('the count says whose robots drive', () => {
     best: null,
     bred,
     ...{ evolving: false, seed: 1, message: '', moved: true, isFree: true, isOwn: false },
-    ...{ parked: 3, over: false, count: 32, ends: [12, 12, 12], population: 20, tolerance: usual.tolerance },
+    ...{ parked: 3, over: false, count: 32, ends: [12, 12, 12], endsBefore: [12, 12, 12], population: 20 },
+    tolerance: usual.tolerance,
   });
   const said = (/** @type {object} */ other) =>
     written(sight({ ...model, ...other }, /** @type {any} */ ({ lesson: '', lab: null }), null));
