@@ -11,7 +11,7 @@ import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { findEngines } from '../tests/page/harness/engines.js';
 import { buildCore, buildSite } from './build.mjs';
-import { absentPython, findPython, finishExamples, prepareExamples } from './examples.mjs';
+import { absentPython, areBuilt, findPython, finishExamples, prepareExamples } from './examples.mjs';
 import { filesOf, keepSeconds, lanesOf, testFiles } from './page-tests.mjs';
 import { Failure, lastChange, run, runPackage, step, stopSteps, task, top } from './run.mjs';
 import { installPackages, installTestTools, installTools } from './tools.mjs';
@@ -54,6 +54,7 @@ async function testNamed(names, late) {
   await buildCore();
   // What is written last.
   if (lastChange('dist/embed.js') < lastChange('www', 'index.html', 'pkg', '.tasks')) await buildSite();
+  if (files.some((file) => file.startsWith('python')) && areBuilt()) await finishExamples();
   const all = findEngines().found;
   const engines = process.env.ENGINES ? all : all.slice(0, 1);
   if (engines.some(isUndriven)) await installTestTools();
