@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { Key, pageTest } from '../harness/browsers.js';
 import { evolve, experiment, shown, simulate } from '../harness/core.js';
-import { hears, listen } from '../harness/heard.js';
+import { hears } from '../harness/heard.js';
 import { arrival, read } from '../harness/reading.js';
 
 const velocityLimits = experiment('velocity-limits');
@@ -38,7 +38,6 @@ pageTest('what is said of the pictures is true also while robots drive', async (
 });
 
 pageTest('a gain that is moved by keys is told with its J, once it stands', async (page) => {
-  await listen(page);
   await page.focus('#slider-kx');
   await page.press(...Array(5).fill(Key.ARROW_RIGHT));
   const gains = /** @type {[number, number, number]} */ ((await read(page)).gains.map(Number));
@@ -49,7 +48,6 @@ pageTest('a gain that is moved by keys is told with its J, once it stands', asyn
 
 pageTest('what evolution pauses at is told, and how what was chosen drives', async (page) => {
   await page.open('#lab&v=1&generation=99');
-  await listen(page);
   await page.click('#run');
   const { shown: best } = evolve(velocityLimits, 100);
   await hears(

@@ -7,7 +7,7 @@ import { exerciseLink, receiptOf } from '../../../www/share/handin/receipt.js';
 import { createTask, driveInLab, linkInLab } from '../../../www/parts/park/task.js';
 import { experiment, paper, simulate } from '../harness/core.js';
 import { Key, pageTest } from '../harness/browsers.js';
-import { hears, listen } from '../harness/heard.js';
+import { hears } from '../harness/heard.js';
 import { test } from '../harness/once.js';
 import { pageOf } from '../run/page-of.js';
 import { engine, opened } from './hand-ins.js';
@@ -204,7 +204,6 @@ pageTest(
 pageTest('how the aim stands, and that the budget is spent, is said', async (page) => {
   await page.open(`#${budget.replace('drives%3C%3D3', 'drives%3C%3D2')}`);
   await page.until('the aim is judged', () => document.querySelector('.aim-drives'));
-  await listen(page);
   await page.focus('#gain-ky');
   const drive = async (/** @type {string} */ ky) => {
     await page.press(...ky, Key.ENTER);
@@ -222,7 +221,6 @@ pageTest('how the aim stands, and that the budget is spent, is said', async (pag
 pageTest('while generations are counted, what they come to is heard', async (page) => {
   await page.open('#lab&v=1&task=Few.&aim=J%3C5;drives%3C%3D4000');
   await page.until('the aim is judged', () => document.querySelector('.aim-drives'));
-  await listen(page);
   await page.click('#run');
   await hears(page, '^Generation [1-9][0-9]*: best J');
   await page.click('#run');
