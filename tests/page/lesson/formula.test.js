@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { lawFormula, rateFormula, robustFormula } from '../../../www/lesson/formulas/formulas.js';
 import { stability } from '../../../www/lesson/words/en/stability.js';
-import { engineTest, pageTest } from '../harness/browsers.js';
+import { engineTest, Key, pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { liveOf } from './live.js';
 
@@ -171,5 +171,38 @@ pageTest(
     await shown(false);
     await page.click('#one-generation');
     await shown(true);
+  },
+);
+
+engineTest(
+  'a formula is one stop of the keyboard, in which arrows light up term after term',
+  async (page) => {
+    await page.open('#lesson&step=law');
+    const focused = () =>
+      page.evaluate(() => ({
+        term: document.activeElement?.getAttribute('data-term') ?? null,
+        lit: document.activeElement?.classList.contains('lit'),
+        slider: document.querySelector('.gain.lit')?.classList[1] ?? null,
+      }));
+    await page.focus('.formula-lines:not(.formula-now)');
+    assert.deepEqual(await focused(), { term: null, lit: false, slider: null });
+    const terms = [];
+    for (let press = 0; press < 4; press += 1) {
+      await page.press(Key.RIGHT);
+      terms.push(await focused());
+    }
+    assert.deepEqual(
+      terms.map(({ term }) => term),
+      ['v', 'kx', 'kx', 'xe'],
+    );
+    await page.press(Key.LEFT);
+    assert.deepEqual(await focused(), terms[2]);
+    assert.ok(terms.every(({ lit }) => lit));
+    await page.press(Key.TAB);
+    assert.equal(
+      await page.evaluate(() => document.activeElement?.closest('.formula-lines') === null),
+      true,
+      'Tab leaves the formula',
+    );
   },
 );

@@ -222,7 +222,7 @@ pageTest('a term lights up its slider, its bars and its errors; another law show
   await barsAt(page, 0.2);
   const lit = await page.evaluate(() => {
     document
-      .querySelector('#lesson .formula [data-term="ky"][tabindex]')
+      .querySelector('#lesson .formula mrow[data-term="ky"]')
       ?.dispatchEvent(new PointerEvent('pointerover', { bubbles: true }));
     const count = (/** @type {string} */ selector) => document.querySelectorAll(`${selector}.lit`).length;
     return {

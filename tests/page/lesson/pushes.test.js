@@ -79,7 +79,7 @@ pageTest(
     assert.notEqual(await curve(), before);
     const lit = await page.evaluate(() => {
       document
-        .querySelector('#lesson .formula [data-term="ky"][tabindex]')
+        .querySelector('#lesson .formula mrow[data-term="ky"]')
         ?.dispatchEvent(new PointerEvent('pointerover', { bubbles: true }));
       return [...document.querySelectorAll('.strip-curve.lit')].map((one) => one.getAttribute('data-term'));
     });

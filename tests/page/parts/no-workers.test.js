@@ -8,6 +8,7 @@ import * as disturbanceEn from '../../../www/parts/disturbance/words/en.js';
 import * as disturbanceKo from '../../../www/parts/disturbance/words/ko.js';
 import * as landscapeEn from '../../../www/parts/landscape/words/en.js';
 import * as landscapeKo from '../../../www/parts/landscape/words/ko.js';
+import { parts } from '../../../www/parts/parts.js';
 import { createSurveyRequests } from '../../../www/parts/robustness/request.js';
 import { robustnessSlice } from '../../../www/parts/robustness/state.js';
 import * as robustnessEn from '../../../www/parts/robustness/words/en.js';
@@ -27,6 +28,8 @@ const ready = /** @type {const} */ ({
   disturbance: { place: '#remains-text', text: 'this drive' },
 });
 const names = /** @type {(keyof typeof ready)[]} */ (Object.keys(ready));
+/** They ask for no worker, or, as Luck, when a button is pressed. */
+const unasked = ['park', 'generation', 'curves', 'luck'];
 
 const failure = /This could not be computed: No worker can be started: (Error: )?blocked/;
 
@@ -49,6 +52,10 @@ const refused = (page) =>
     for (let frame = 0; frame < 3; frame += 1) await new Promise(requestAnimationFrame);
     return /** @type {{ refused: number }} */ (/** @type {unknown} */ (window)).refused;
   });
+
+test('of every part it is known whether it asks for workers when it is opened', () => {
+  assert.deepEqual([...names, ...unasked].sort(), parts.map(({ name }) => name).sort());
+});
 
 for (const name of names)
   pageTest(`${name} tries workers that could not be started again when it is opened again`, async (page) => {

@@ -1,7 +1,9 @@
 // What a part has computed, and what keys lead to in its pictures, is said to who cannot see it.
 import assert from 'node:assert/strict';
 import { Key, pageTest } from '../harness/browsers.js';
+import { test } from '../harness/once.js';
 import { serve } from '../harness/server.js';
+import { parts } from '../../../www/parts/parts.js';
 import { link, openContest, runContest } from './contest-page.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -83,6 +85,13 @@ const readouts = [
   ['curves&view=stability', 'stability-note'],
   ['disturbance', 'remains-text'],
 ];
+/** They say in words of their own what becomes of a drive, and have tests of their own. */
+const others = ['park', 'generation', 'training', 'luck'];
+
+test('of every part it is known where it says what drives', () => {
+  const told = readouts.map(([link]) => link.split('&')[0]);
+  assert.deepEqual([...told, ...others].sort(), parts.map(({ name }) => name).sort());
+});
 
 pageTest(
   'what evolution makes of a readout is said when it pauses, not generation by generation',

@@ -1,5 +1,6 @@
 // Formulas that know the running numbers: the same formula once with its symbols and, when asked, with what they are now.
 import { create, write } from '../../kit/elements.js';
+import { arrowOf, isChord } from '../../kit/keyboard.js';
 import words from '../words/index.js';
 import { isFirst, lineOf, withDots } from './notation.js';
 import { isSymbol, mathml, symbol } from './symbols.js';
@@ -7,12 +8,22 @@ import { isSymbol, mathml, symbol } from './symbols.js';
 /** @import { Formula, Leaf } from './notation.js' */
 /** @import { Block } from '../page.js' */
 
-/** On a small screen a long formula scrolls, also by keyboard. @param {string} className @param {readonly string[]} lines @param {Leaf} leaf */
+/** One stop of the keyboard; in it the arrow keys go from term to term, which also scrolls what is too long for a small screen. @param {string} className @param {readonly string[]} lines @param {Leaf} leaf */
 function scroller(className, lines, leaf) {
   const math = mathml('math', mathml('mtable', ...lines.map((text) => lineOf(text, leaf))));
   math.setAttribute('display', 'block');
   const attributes = { class: className, tabindex: 0, role: 'group', 'aria-label': words.formula };
-  return create('div', attributes, math);
+  const element = create('div', attributes, math);
+  element.addEventListener('keydown', (event) => {
+    const [right] = arrowOf(event.key) ?? [0];
+    const terms = [.../** @type {NodeListOf<MathMLElement>} */ (math.querySelectorAll('[data-term]'))];
+    const next = terms[terms.findIndex((term) => term.matches(':focus')) + right];
+    if (right === 0 || isChord(event) || !next) return;
+    event.preventDefault();
+    next.setAttribute('tabindex', '-1');
+    next.focus();
+  });
+  return element;
 }
 
 /** @param {Formula} formula @returns {Block} */

@@ -22,7 +22,10 @@ export const single = [
 /** Keys of what has the focus. */
 /** @type {readonly (readonly [keys: string, meaning: string])[]} */
 export const focused = [
-  ['← → ↑ ↓', 'move what has the focus: a slider, the start, the goal, the cursor of a map'],
+  [
+    '← → ↑ ↓',
+    'move what has the focus: a slider, the start, the goal, the cursor of a map; in a formula, go from term to term',
+  ],
   ['Shift + arrows', 'turn start or goal by 5°, or move the cursor of a map by larger steps'],
   ['Alt + arrows', 'move or turn start or goal by small steps'],
   ['Enter', 'press a button; on a map: drive what is under the cursor'],
