@@ -1,6 +1,7 @@
 // What a part has computed, and what keys lead to in its pictures, is said to who cannot see it.
 import assert from 'node:assert/strict';
 import { Key, pageTest } from '../harness/browsers.js';
+import { hears } from '../harness/heard.js';
 import { test } from '../harness/once.js';
 import { serve } from '../harness/server.js';
 import { parts } from '../../../www/parts/parts.js';
@@ -188,6 +189,19 @@ pageTest(
     }
   },
 );
+
+pageTest('an axis of Landscape that another choice has moved says so', async (page) => {
+  await page.open('#landscape');
+  const shown = (/** @type {string} */ id) =>
+    page.evaluate(
+      (id) => /** @type {HTMLSelectElement} */ (document.getElementById(id)).selectedOptions[0].text,
+      id,
+    );
+  assert.deepEqual([await shown('landscape-x'), await shown('landscape-y')], ['kx', 'kθ']);
+  await page.click('#landscape-x option:nth-child(3)');
+  await hears(page, 'Gain on the vertical axis: kx$');
+  assert.deepEqual([await shown('landscape-x'), await shown('landscape-y')], ['kθ', 'kx']);
+});
 
 pageTest('a slider says its value with the unit, once, and is no slider twice', async (page) => {
   await page.open('#park');

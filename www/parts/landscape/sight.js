@@ -7,7 +7,7 @@
 /** @import { LandscapeState } from './state.js' */
 import { html, noChange, nothing, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
-import { createTeller } from '../../lab/announcer.js';
+import { announce, createTeller } from '../../lab/announcer.js';
 import { showTable } from '../../lab/table-sheet.js';
 import { watch } from '../../kit/memo.js';
 import { checkOf, selectOf } from '../fields.js';
@@ -25,6 +25,9 @@ const { texts } = words;
 const choices = [false, true].flatMap((log) =>
   lab.gains.map(({ id, name }) => ({ gain: id, log, text: log ? words.onLogAxis(name) : name })),
 );
+
+/** @param {AxisChoice} shown */
+const chosenOf = (shown) => choices.findIndex(({ gain, log }) => shown.gain === gain && shown.log === log);
 
 /** @param {HTMLElement} element @param {Store} store @param {(state: State) => Lowest | null} lowestIn */
 export function createSight(element, store, lowestIn) {
@@ -69,6 +72,9 @@ function createEvents(store) {
       const left = gain === other.gain ? { ...other, gain: before.gain } : other;
       const axes = axis === 'x' ? { x: chosen, y: left } : { x: left, y: chosen };
       update({ third: null, thirdError: '', cursor: null, ...axes });
+      if (left === other) return;
+      const moved = choices[chosenOf(left)].text;
+      announce('landscape-axis', `${axis === 'x' ? texts.landscapeUp : texts.landscapeAcross}: ${moved}`);
     },
     /** @param {string} text */
     onThird(text) {
@@ -126,9 +132,8 @@ const signOf = () =>
 
 /** @param {'x' | 'y'} axis @param {LandscapeState} landscape @param {string} label @param {Events} on */
 function axisChoice(axis, { [axis]: shown }, label, { onAxis }) {
-  const chosen = choices.findIndex(({ gain, log }) => shown.gain === gain && shown.log === log);
   const names = choices.map(({ text }, i) => /** @type {const} */ ([i, text]));
-  return selectOf(`landscape-${axis}`, label, names, chosen, (i) => onAxis(axis, choices[i]));
+  return selectOf(`landscape-${axis}`, label, names, chosenOf(shown), (i) => onAxis(axis, choices[i]));
 }
 
 /** The gain that is on no axis. @param {LandscapeState} landscape @param {number} value @param {boolean} isTyping What is typed stays. @param {Events} on */
