@@ -28,7 +28,7 @@ import { isHeight, leastHeight, mostHeight, version } from './frame.js';
 import { allowed } from './frame-line.js';
 import { createQuestions } from './questions.js';
 
-/** @typedef {{ link: string } | { experiment: Partial<Experiment>, gains?: readonly number[], generation?: number }} Setting */
+/** @typedef {{ link: string } | { experiment: Partial<Experiment>, gains?: readonly number[], generation?: number }} Setting A link may be set as it is, without braces. */
 
 /** Vite would take the address for a file to bundle if it were written in one. */
 const here = String(import.meta.url);
@@ -109,9 +109,9 @@ class EpLocomotion extends HTMLElement {
     else this.#dress();
   }
 
-  /** @param {Setting} what */
+  /** @param {Setting | string} what */
   set(what) {
-    return this.#ask({ ...what, type: 'set' });
+    return this.#ask({ ...(typeof what === 'string' ? { link: what } : what), type: 'set' });
   }
 
   step(generations = 1) {

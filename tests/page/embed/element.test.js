@@ -57,6 +57,10 @@ engineTest('an element shows a figure, does what its page asks, and tells what c
 
     assert.equal((await use(page, 'other', 'it.run()')).evolving, true);
     assert.equal((await use(page, 'other', 'it.pause()')).evolving, false);
+    for (const setting of [`'lab&v=1&seed=11'`, `{ link: 'lab&v=1&seed=12' }`]) {
+      const { link } = await use(page, 'other', `it.set(${setting})`);
+      assert.ok(setting.includes(link), link);
+    }
     assert.match((await use(page, 'own', 'it.set({ experiment: { flavour: 1 } })')).refused, /flavour/);
     assert.match((await use(page, 'own', 'it.step(0.5)')).refused, /generations must be/);
     assert.equal((await use(page, 'own', 'told.at(-1)')).type, 'error');
