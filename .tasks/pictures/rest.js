@@ -1,5 +1,5 @@
 // Runs in the page before its own scripts and knows whether the page is at rest: no frame asked for, no worker at
-// work, and no message to or from one for a while.
+// work, and neither a message to or from one nor a file for a while.
 (() => {
   const { now } = performance;
   const time = now.bind(performance);
@@ -38,6 +38,11 @@
       super.terminate();
     }
   };
+
+  // A module that came, as *Hand in* does after the page is ready, has still to be drawn.
+  new PerformanceObserver(() => {
+    heard = time();
+  }).observe({ type: 'resource' });
 
   const own = /** @type {{ pageFrames: { areNone: () => boolean } }} */ (/** @type {unknown} */ (window));
   const quiet = 150;
