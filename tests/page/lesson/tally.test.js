@@ -1,7 +1,8 @@
 // Which drives by hand count, without a page: the events of its sliders are made up.
 import assert from 'node:assert/strict';
-import { progressSlice } from '../../../www/lesson/state.js';
-import { createTally } from '../../../www/lesson/duel/tally.js';
+import { noTally, progressSlice } from '../../../www/lesson/state.js';
+import { createTally, talliesBut, tallyOf, taskText } from '../../../www/lesson/duel/tally.js';
+import { experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { liveOf } from './live.js';
 
@@ -108,4 +109,11 @@ test('what a slider passes through does not count, whatever had the focus before
     drives += 1;
     assert.equal(counted({}, false), drives, `${press}, ${end}`);
   }
+});
+
+test('who begins a contest anew forgets what was driven in it, and nothing else', () => {
+  const [first, second] = [0, 1].map((x) => experiment({ goal: { x, y: 2, theta: 0 } }));
+  const tallies = [first, second].map((one) => ({ ...noTally, experiment: taskText(one), drives: 3 }));
+  assert.deepEqual(talliesBut(tallies, first), [tallies[1]]);
+  assert.deepEqual(tallyOf(talliesBut(tallies, first), first), noTally);
 });
