@@ -8,7 +8,7 @@
 // *                   a product: a dot between numbers, nothing between symbols
 // { … }               what stands together as one
 // [kx: … ]            a term, which lights up as one
-import { dotted, isSymbol, mathml, sub, symbol } from './symbols.js';
+import { dotted, isSymbol, mathml, sub } from './symbols.js';
 
 /** @import { Live } from '../page.js' */
 /** @import { SymbolName } from './symbols.js' */
