@@ -123,7 +123,8 @@ export function createMaker({ engine, store, actions, links, paper }) {
         );
       }
       preview.draw(addressOf(location.href, link, true));
-      if (isOther) byId('maker-task').focus();
+      // In a field a tablet would open its keyboard over what is to be seen first.
+      if (isOther) byId(matchMedia('(pointer: coarse)').matches ? 'maker-close' : 'maker-task').focus();
     },
   };
 }

@@ -20,7 +20,7 @@ export const buttonText = (changed) => (changed === 0 ? 'Settings' : `Settings Â
 /** @param {number} changed */
 export const changedText = (changed) => (changed === 0 ? 'As in the preset' : `${changed} changed`);
 
-export const hint = 'Point at a setting to read what it does.';
+export const hint = 'Point at a setting, or touch it, to read what it does.';
 
 export const groups = {
   limits: 'Limits',
