@@ -3,14 +3,17 @@
 /** @import { Until } from '../run/pace.js' */
 import { html, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
+import { selectOf } from '../kit/fields.js';
 import { watch } from '../kit/memo.js';
-import { options, selectAll, styled, unless, valueIn } from '../kit/templates.js';
+import { selectAll, styled, unless, valueIn } from '../kit/templates.js';
 import { scrubStep } from '../run/clock.js';
 import { nextRest, paces } from '../run/pace.js';
 import { lab as strings, texts } from '../words/index.js';
 
 /** @typedef {{ time: number, finalTime: number, playing: boolean, speed: number }} RobotBarModel */
 /** `timeline`: the generation that is asked for, which may still be computed; `isMain`: nothing else on the page leads on. @typedef {{ open: string, isMain: boolean, evolving: boolean, generation: number, timeline: number, newest: number, pace: number, until: Until, untilError: string, note: string }} EvolutionBarModel */
+
+const paceChoices = paces.map((one) => /** @type {const} */ ([one, strings.paceText(one)]));
 
 /** How far a slider is filled. @param {number} part */
 const filled = (part) => styled('--to', `${100 * part}%`);
@@ -34,10 +37,7 @@ function robotBar({ time, finalTime, playing, speed }, actions) {
       aria-label=${playing ? strings.pause : strings.play} @click=${() => actions.togglePlay()}>
       <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="when-paused" d="M4 2l10 6-10 6z"/><path class="when-playing" d="M3 2h4v12H3zM9 2h4v12H9z"/></svg>
     </button>
-    <select id="speed" aria-label=${texts.speed}
-      @change=${(/** @type {Event} */ event) => actions.setSpeed(Number(valueIn(event)))}>
-      ${options(strings.speeds, speed)}
-    </select>
+    ${selectOf('speed', texts.speed, strings.speeds, speed, (chosen) => actions.setSpeed(chosen))}
     <span id="clock" class="clock">${text}</span>
     <input id="scrub" type="range" min="0" step=${scrubStep} aria-label=${texts.scrub} aria-valuetext=${text}
       .max=${String(finalTime)} .value=${live(String(time))} ${filled(finalTime > 0 ? time / finalTime : 1)}
@@ -52,9 +52,9 @@ export function createEvolutionBar(root, actions) {
   let shown = 0;
   const untilValue = () => /** @type {HTMLInputElement} */ (root.querySelector('#until-value'));
   const on = {
-    /** @param {Event} event */
-    onKind(event) {
-      kind = /** @type {Until['kind']} */ (valueIn(event));
+    /** @param {Until['kind']} chosen */
+    onKind(chosen) {
+      kind = chosen;
       // A start that fits the kind, to be changed.
       if (kind === 'generation') untilValue().value = String(nextRest(shown));
       if (kind === 'cost') untilValue().value = '8';
@@ -84,7 +84,7 @@ export function createPauseButton(button, { pauseEvolution }) {
   };
 }
 
-/** @param {EvolutionBarModel & { kind: Until['kind'] }} model @param {Actions} actions @param {{ onKind: (event: Event) => void, onValue: () => void }} on */
+/** @param {EvolutionBarModel & { kind: Until['kind'] }} model @param {Actions} actions @param {{ onKind: (chosen: Until['kind']) => void, onValue: () => void }} on */
 function evolutionBar(model, actions, { onKind, onValue }) {
   const { open, isMain, evolving, timeline, newest, pace, kind, until, untilError, note } = model;
   const isElsewhere = open !== 'lab';
@@ -106,15 +106,9 @@ function evolutionBar(model, actions, { onKind, onValue }) {
     <fieldset id="evolution-pace" class="bar" aria-label=${texts.evolutionSection}>
       <button id="reset" type="button" .hidden=${isElsewhere} @click=${() => actions.reset()}>${texts.reset}</button>
       <button id="new-seed" type="button" .hidden=${isElsewhere} @click=${() => actions.newSeed()}>${texts.newSeed}</button>
-      <select id="pace" aria-label=${texts.pace}
-        @change=${(/** @type {Event} */ event) => actions.setPace(Number(valueIn(event)))}>
-        ${options(
-          paces.map((one) => /** @type {const} */ ([one, strings.paceText(one)])),
-          pace,
-        )}
-      </select>
+      ${selectOf('pace', texts.pace, paceChoices, pace, (chosen) => actions.setPace(chosen))}
       <div class="bar" .hidden=${isElsewhere}>
-        <select id="until" aria-label=${texts.until} @change=${onKind}>${options(strings.untils, kind)}</select>
+        ${selectOf('until', texts.until, strings.untils, kind, onKind)}
         <input id="until-value" type="text" inputmode="decimal" autocomplete="off" spellcheck="false"
           aria-label=${texts.untilValue} aria-describedby="until-error" aria-invalid=${String(untilError !== '')}
           .value=${until.kind === 'every' ? '' : String(until.value)} .hidden=${kind === 'every'} @change=${onValue}

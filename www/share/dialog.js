@@ -8,7 +8,7 @@ import { live } from 'lit-html/directives/live.js';
 import { whenThere } from '../core/pending.js';
 import { copy } from '../kit/copy.js';
 import { download } from '../kit/download.js';
-import { choicesOf } from '../kit/segmented.js';
+import { segmentedOf } from '../kit/fields.js';
 import { selectAll } from '../kit/templates.js';
 import { caughtUp } from '../run/state.js';
 import { messageOf, orSay } from '../words/errors.js';
@@ -187,7 +187,7 @@ const contentOf = ({ address, frame, frameText, pictures, status, park }, on) =>
   <h3>${texts.embedTitle}</h3>
   <p class="muted">${park ? texts.embedParkHelp : texts.embedHelp}</p>
   <div class="bar">
-    <fieldset id="embed-size" class="segmented">${choicesOf('embed-size', words.sizeLegend, frames, frame.value, on.chooseFrame)}</fieldset>
+    ${segmentedOf('embed-size', words.sizeLegend, frames, frame.value, on.chooseFrame)}
     <button id="embed-copy" type="button" @click=${on.copyFrame}>${texts.embedCopy}</button>
   </div>
   <textarea id="embed-text" rows="4" readonly spellcheck="false" aria-label=${texts.embedText}

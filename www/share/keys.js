@@ -1,6 +1,7 @@
 // The sheet of keys, and the single keys that press buttons.
 import { html } from 'lit-html';
 import { byId } from '../kit/elements.js';
+import { checkOf } from '../kit/fields.js';
 import { isEmbedded } from '../kit/host.js';
 import { createSheet } from '../kit/sheet.js';
 import { withStorage } from '../kit/tab.js';
@@ -20,9 +21,10 @@ export function createKeys(openChecks) {
     sheet.dialog.close();
     openChecks();
   };
-  const allow = (/** @type {Event} */ { target }) => {
-    areAllowed = /** @type {HTMLInputElement} */ (target).checked;
+  const allow = (/** @type {boolean} */ isOn) => {
+    areAllowed = isOn;
     withStorage((storage) => storage.setItem(name, areAllowed ? '' : off));
+    fill();
   };
   const fill = () =>
     sheet.draw(html`
@@ -30,8 +32,7 @@ export function createKeys(openChecks) {
       <dl id="keys-list" class="keys-list">${[...words.single.filter(buttonOf), ...words.focused].map(
         ([key, meaning]) => html`<dt>${key}</dt><dd>${meaning}</dd>`,
       )}</dl>
-      <label class="check"><input id="keys-single" type="checkbox" .checked=${areAllowed}
-        @change=${allow}> <span>${texts.keysSingle}</span></label>
+      ${checkOf('keys-single', texts.keysSingle, areAllowed, allow)}
       <p class="sheet-foot"><button id="keys-checks" type="button" @click=${check}>${opening.texts.checksButton}</button></p>`);
   const open = () => {
     fill();

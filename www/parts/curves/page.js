@@ -8,7 +8,7 @@ import './places.css';
 import './stability/style.css';
 import { html, render } from 'lit-html';
 import { listed } from '../../kit/segmented.js';
-import { segmentedOf } from '../fields.js';
+import { segmentedOf } from '../../kit/fields.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
 import { createSection } from '../section.js';

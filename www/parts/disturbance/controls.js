@@ -5,7 +5,7 @@ import { disturbanceSlice } from './state.js';
 import { html } from 'lit-html';
 import { createRow } from '../../lab/gains.js';
 import { isLost, messageOf } from '../../words/errors.js';
-import { segmentedOf } from '../fields.js';
+import { segmentedOf } from '../../kit/fields.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
 

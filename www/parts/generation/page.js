@@ -8,7 +8,7 @@ import './places.css';
 import { html, render } from 'lit-html';
 import { whenThere } from '../../core/pending.js';
 import { byIdIn } from '../../kit/elements.js';
-import { segmentedOf } from '../fields.js';
+import { segmentedOf } from '../../kit/fields.js';
 import { watch } from '../../kit/memo.js';
 import { unless } from '../../kit/templates.js';
 import { showTable } from '../../lab/table-sheet.js';

@@ -10,7 +10,7 @@ import { live } from 'lit-html/directives/live.js';
 import { announce, createTeller } from '../../lab/announcer.js';
 import { showTable } from '../../lab/table-sheet.js';
 import { watch } from '../../kit/memo.js';
-import { checkOf, selectOf } from '../fields.js';
+import { checkOf, selectOf } from '../../kit/fields.js';
 import { keysFor, selectAll, valueIn } from '../../kit/templates.js';
 import { lab, tables } from '../../words/index.js';
 import { outlines } from './points.js';

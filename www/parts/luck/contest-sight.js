@@ -5,7 +5,7 @@
 /** @import { LuckState } from './state.js' */
 import { html, noChange, nothing } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
-import { selectOf } from '../fields.js';
+import { selectOf } from '../../kit/fields.js';
 import { choicesOf, listed } from '../../kit/segmented.js';
 import { createSwatch } from '../../kit/swatch.js';
 import { options, selectAll, unlessDouble, valueIn } from '../../kit/templates.js';

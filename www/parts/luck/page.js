@@ -7,7 +7,7 @@ import './places.css';
 import { html, render } from 'lit-html';
 import { listed } from '../../kit/segmented.js';
 import { luckSlice } from './state.js';
-import { segmentedOf } from '../fields.js';
+import { segmentedOf } from '../../kit/fields.js';
 import { createSection } from '../section.js';
 import words from './words/index.js';
 import { createContest } from './contest-page.js';

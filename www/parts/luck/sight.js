@@ -4,7 +4,7 @@
 import { html } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { counts, lengths, luckSlice } from './state.js';
-import { checkOf, selectOf } from '../fields.js';
+import { checkOf, selectOf } from '../../kit/fields.js';
 import { unlessDouble, valueIn } from '../../kit/templates.js';
 import words from './words/index.js';
 import { hidesPaper } from '../../run/exercise.js';

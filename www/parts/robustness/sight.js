@@ -7,7 +7,7 @@
 import { html, render } from 'lit-html';
 import { listed } from '../../kit/segmented.js';
 import { halves, robustnessSlice } from './state.js';
-import { segmentedOf, selectOf } from '../fields.js';
+import { segmentedOf, selectOf } from '../../kit/fields.js';
 import { hasMovingReference } from '../../core/reference.js';
 import { createTeller } from '../../lab/announcer.js';
 import { showTable } from '../../lab/table-sheet.js';

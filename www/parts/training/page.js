@@ -9,7 +9,7 @@ import './places.css';
 import { html, nothing, render } from 'lit-html';
 import { lengths, trainingSlice } from './state.js';
 import { byIdIn } from '../../kit/elements.js';
-import { selectOf } from '../fields.js';
+import { selectOf } from '../../kit/fields.js';
 import { unless, unlessDouble } from '../../kit/templates.js';
 import { createSection } from '../section.js';
 import { remember, watch } from '../../kit/memo.js';

@@ -7,7 +7,7 @@ import { html } from 'lit-html';
 import { tryNow } from '../../core/pending.js';
 import { copy } from '../../kit/copy.js';
 import { download } from '../../kit/download.js';
-import { choicesOf } from '../../kit/segmented.js';
+import { segmentedOf } from '../../kit/fields.js';
 import { orSay } from '../../words/errors.js';
 import { controllerOf } from './controller.js';
 import { languages } from './languages.js';
@@ -39,6 +39,11 @@ export function createCode({ engine, store, links, sceneOf }, sheet) {
     draw();
   };
 
+  const choose = (/** @type {LanguageName} */ chosen) => {
+    language = chosen;
+    say('');
+  };
+
   const show = () => {
     const { ending, type, comment, write } = languages[language];
     const taken = controller();
@@ -47,16 +52,7 @@ export function createCode({ engine, store, links, sceneOf }, sheet) {
     sheet.draw(html`
       <p class="muted">${texts.codeHelp}</p>
       <div class="bar">
-        <fieldset id="code-language" class="segmented">${choicesOf(
-          'code-language',
-          words.languageLegend,
-          words.languages,
-          language,
-          (chosen) => {
-            language = chosen;
-            say('');
-          },
-        )}</fieldset>
+        ${segmentedOf('code-language', words.languageLegend, words.languages, language, choose)}
         <button id="code-copy" type="button" class="primary"
           @click=${() => copy('code-text', words.copied, words.notCopied).then(say)}>${texts.codeCopy}</button>
         <button id="code-save" type="button" @click=${() => download(file, type, text)}>${texts.codeSave}</button>

@@ -4,6 +4,7 @@
 /** @import { Fields } from './asked.js' */
 import { html, nothing } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
+import { checkOf } from '../../kit/fields.js';
 import { options, valueIn } from '../../kit/templates.js';
 import { aimText, scaleText } from '../../link/exercise.js';
 import { wayOf } from '../../run/exercise.js';
@@ -127,10 +128,7 @@ function fieldsHtml({ fields: { kind, value, drives, points }, error, wrong }, e
     <p id="maker-aim-error" class="field-error" role="alert" .hidden=${error === ''}>${error}</p>
     ${error === '' && isTurned(exercise) ? html`<p id="maker-turned" class="muted">${texts.makerTurned}</p>` : nothing}
     <fieldset class="maker-vary"><legend class="maker-label">${texts.makerVary}</legend>${variedNames.map(
-      (
-        name,
-      ) => html`<label class="check"><input id="maker-vary-${name}" type="checkbox" .checked=${live(vary.includes(name))}
-        @change=${() => on.vary(name)}> <span>${words.varied[name]}</span></label>`,
+      (name) => checkOf(`maker-vary-${name}`, words.varied[name], vary.includes(name), () => on.vary(name)),
     )}</fieldset>
     ${
       aim?.wanted.kind === 'cost' && (vary.includes('goal') || vary.includes('starts'))

@@ -10,9 +10,10 @@ import { html, nothing, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { copy } from '../../kit/copy.js';
 import { byId } from '../../kit/elements.js';
+import { segmentedOf } from '../../kit/fields.js';
 import { addressOf } from '../../kit/host.js';
 import { watch } from '../../kit/memo.js';
-import { choicesOf, listed } from '../../kit/segmented.js';
+import { listed } from '../../kit/segmented.js';
 import { closeButton, selectAll, valueIn } from '../../kit/templates.js';
 import { createTask, preset as parkPreset } from '../../parts/park/task.js';
 import { inSight } from '../../parts/parts.js';
@@ -222,7 +223,7 @@ const easyNote = (easy) => {
 const rowOf = (draft, group, onChoose) => html`
   <div class="maker-row">
     <span class="maker-name" aria-hidden="true">${exerciseWords.groups[group]}</span>
-    <fieldset id="maker-${group}" class="segmented">${choicesOf(
+    ${segmentedOf(
       `maker-${group}`,
       exerciseWords.groups[group],
       listed(words.ways).map((way) => ({
@@ -231,6 +232,6 @@ const rowOf = (draft, group, onChoose) => html`
       })),
       wayOf(draft, group),
       (way) => onChoose(group, way),
-    )}</fieldset>
+    )}
     ${isHiddenWithPaper(draft, group) ? html`<p class="muted">${texts.makerPaperInLesson}</p>` : nothing}
   </div>`;

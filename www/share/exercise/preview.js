@@ -1,7 +1,6 @@
 // What students will see: the page itself, or the very figure that they get in a frame.
-import { html } from 'lit-html';
 import { byId, create } from '../../kit/elements.js';
-import { choicesOf } from '../../kit/segmented.js';
+import { segmentedOf } from '../../kit/fields.js';
 import { frames } from '../frame-text.js';
 import words from '../words/index.js';
 
@@ -44,7 +43,7 @@ export function createPreview(redraw) {
     chosen: () => chosen.size,
 
     choice: () =>
-      html`<fieldset id="maker-preview-size" class="segmented small maker-sizes">${choicesOf(
+      segmentedOf(
         'maker-preview-size',
         words.texts.makerPreview,
         choices,
@@ -53,7 +52,8 @@ export function createPreview(redraw) {
           chosen = choices.find((one) => one.value === value) ?? chosen;
           redraw();
         },
-      )}</fieldset>`,
+        'small maker-sizes',
+      ),
 
     /** @param {string | null} address Of the figure; null: nothing is made now. */
     draw(address) {

@@ -4,7 +4,7 @@
 /** @import { Tools } from '../../part.js' */
 /** @import { View } from '../page.js' */
 import { html, render } from 'lit-html';
-import { checkOf } from '../../fields.js';
+import { checkOf } from '../../../kit/fields.js';
 import { formula } from '../../../kit/templates.js';
 import { once, remember, watch } from '../../../kit/memo.js';
 import { createTeller } from '../../../lab/announcer.js';

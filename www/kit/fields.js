@@ -1,8 +1,8 @@
 // Fields that templates hold more than once, each with what it is called and what it does.
 import { html, noChange } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
-import { choicesOf } from '../kit/segmented.js';
-import { options, valueIn } from '../kit/templates.js';
+import { choicesOf } from './segmented.js';
+import { options, valueIn } from './templates.js';
 
 /**
  * @template V
@@ -19,7 +19,7 @@ export function selectOf(id, label, choices, chosen, onChoose, isDisabled) {
 
 /**
  * @template {string} V
- * @param {string} id @param {string} legend @param {readonly import('../kit/segmented.js').Choice<V>[]} choices
+ * @param {string} id @param {string} legend @param {readonly import('./segmented.js').Choice<V>[]} choices
  * @param {V} chosen @param {(value: V) => void} onChoose @param {string} [more] Classes.
  */
 export const segmentedOf = (id, legend, choices, chosen, onChoose, more = '') =>
