@@ -23,6 +23,10 @@ export function showTable(table) {
   sheet().open();
 }
 
+/** What opens it. @param {string} id @param {() => Table | null} tableNow */
+export const tableButton = (id, tableNow) =>
+  html`<button id="${id}-table" type="button" class="link" @click=${() => showTable(tableNow())}>${texts.tableButton}</button>`;
+
 /** @param {Table} table @param {HTMLTableElement} rows @param {number} first The row that is shown first. */
 function draw(table, rows, first) {
   fillTable(rows, table, first, mostRows);

@@ -5,8 +5,7 @@ import './places.css';
 import { html, render } from 'lit-html';
 import { createTeller } from '../../lab/announcer.js';
 import { remember, watch } from '../../kit/memo.js';
-import { showTable } from '../../lab/table-sheet.js';
-import { tables } from '../../words/index.js';
+import { tableButton } from '../../lab/table-sheet.js';
 import words from './words/index.js';
 import { createSection } from '../section.js';
 import { createControls } from './controls.js';
@@ -26,10 +25,6 @@ export function createPage(tools) {
   const summaryOf = remember(summarize);
   const changed = watch();
   const tell = createTeller('disturbance');
-  const onTable = () => {
-    const { measured } = disturbanceSlice.of(store.get());
-    showTable(measured && remainsTable(summaryOf(measured)));
-  };
   /** @type {ReturnType<typeof createPlots> | null} */
   let plots = null;
 
@@ -48,7 +43,7 @@ export function createPage(tools) {
           html`
             <div class="heading">
               <h2 id="disturbance-title">${words.texts.disturbanceTitle}</h2>
-              <button id="disturbance-table" type="button" class="link" @click=${onTable}>${tables.texts.tableButton}</button>
+              ${tableButton('disturbance', () => measured && remainsTable(summaryOf(measured)))}
               <p id="disturbance-note" class=${message ? 'field-error' : 'muted'}>${message ? words.failed(message, measured !== null) : words.kindText(tried)}</p>
             </div>
             ${controlsOf(tried, error)} ${tableOf(measured && summaryOf(measured))}`,

@@ -8,11 +8,11 @@
 import { html, noChange, nothing, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { announce, createTeller } from '../../lab/announcer.js';
-import { showTable } from '../../lab/table-sheet.js';
+import { tableButton } from '../../lab/table-sheet.js';
 import { watch } from '../../kit/memo.js';
 import { checkOf, selectOf } from '../../kit/fields.js';
 import { keysFor, selectAll, valueIn } from '../../kit/templates.js';
-import { lab, tables } from '../../words/index.js';
+import { lab } from '../../words/index.js';
 import { outlines } from './points.js';
 import { thirdOf } from './request.js';
 import { landscapeSlice } from './state.js';
@@ -60,10 +60,6 @@ export function createSight(element, store, lowestIn) {
 function createEvents(store) {
   const { now: own, update } = landscapeSlice.at(store);
   return {
-    onTable() {
-      const { result } = own();
-      showTable(result && landscapeTable(result));
-    },
     /** @param {'x' | 'y'} axis @param {AxisChoice} choice */
     onAxis(axis, { gain, log }) {
       const { [axis]: before, [axis === 'x' ? 'y' : 'x']: other } = own();
@@ -94,7 +90,7 @@ function sight(landscape, { spec, isTyping, evolving, readout, lowest, legend },
     <div class="heading">
       <h2 id="landscape-title">${texts.landscapeTitle}</h2>
       <p id="landscape-note" class="muted">${noteText(landscape, spec)}</p>
-      <button id="landscape-table" type="button" class="link" @click=${on.onTable}>${tables.texts.tableButton}</button>
+      ${tableButton('landscape', () => landscape.result && landscapeTable(landscape.result))}
     </div>
     <div class="bar axes">
       <label>→ ${axisChoice('x', landscape, texts.landscapeAcross, on)}</label>

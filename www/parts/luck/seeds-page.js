@@ -18,8 +18,6 @@ import { createSeedCurve } from './curve.js';
 import { createSeedRequests, surveyOf } from './request.js';
 import { sight } from './sight.js';
 import { createStrips } from './strips.js';
-import { showTable } from '../../lab/table-sheet.js';
-import { seedTable } from './table.js';
 
 /** @param {HTMLElement} element @param {Tools} tools */
 export function createSeeds(element, { engine, store, actions, paper }) {
@@ -119,10 +117,6 @@ function createEvents(store, actions, requests, choose) {
       actions.showSeed(seed, generation);
       actions.chooseDriver('evolved');
       actions.openPage('lab');
-    },
-    onTable: () => {
-      const { result } = luck();
-      showTable(result && seedTable(result));
     },
   };
 }

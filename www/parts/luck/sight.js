@@ -6,10 +6,12 @@ import { live } from 'lit-html/directives/live.js';
 import { counts, lengths, luckSlice } from './state.js';
 import { checkOf, selectOf } from '../../kit/fields.js';
 import { unlessDouble, valueIn } from '../../kit/templates.js';
+import { showTable } from '../../lab/table-sheet.js';
 import words from './words/index.js';
 import { hidesPaper } from '../../run/exercise.js';
 import { changesButSeed } from '../changes.js';
 import { drivesOf, surveyOf } from './request.js';
+import { seedTable } from './table.js';
 
 /**
  * @typedef {object} Events
@@ -17,7 +19,6 @@ import { drivesOf, surveyOf } from './request.js';
  * @property {() => void} onRun
  * @property {(rank: number) => void} onRank
  * @property {(seed: number, generation: number) => void} onOpen
- * @property {() => void} onTable
  */
 
 const { texts } = words;
@@ -38,7 +39,7 @@ export function sight(state, index, fresh, on) {
     <div class="heading">
       <h2 id="luck-title">${texts.luckTitle}</h2>
       <p class="muted"><span id="luck-note">${noteText(state)}</span>
-        <button id="luck-table" type="button" class="link" .hidden=${!result} @click=${on.onTable}>${texts.luckTable}</button></p>
+        <button id="luck-table" type="button" class="link" .hidden=${!result} @click=${() => showTable(result && seedTable(result))}>${texts.luckTable}</button></p>
     </div>
     ${bar(luck, on)}
     <p id="luck-status" class="luck-status" role="status">${statusText(state, fresh)}</p>

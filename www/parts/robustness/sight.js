@@ -10,12 +10,12 @@ import { halves, robustnessSlice } from './state.js';
 import { segmentedOf, selectOf } from '../../kit/fields.js';
 import { hasMovingReference } from '../../core/reference.js';
 import { createTeller } from '../../lab/announcer.js';
-import { showTable } from '../../lab/table-sheet.js';
+import { tableButton } from '../../lab/table-sheet.js';
 import { areShown } from './drives.js';
 import { robustnessTable } from './table.js';
 import { watch } from '../../kit/memo.js';
 import { endsOf } from '../../run/state.js';
-import { lab, tables } from '../../words/index.js';
+import { lab } from '../../words/index.js';
 import words from './words/index.js';
 import {
   angleOf,
@@ -39,16 +39,12 @@ export function createSight(element, store) {
   const tell = createTeller('robustness');
   /** Until there is a new survey, the old number stands with its own name. @type {Pick<Texts, 'share' | 'sides'> & { name: string | null } | null} */
   let ofSurvey = null;
-  const { now, update } = robustnessSlice.at(store);
+  const { update } = robustnessSlice.at(store);
   const on = {
     update,
     /** @param {string} choice */
     onHeadings: (choice) =>
       update({ heading: choice === 'all' ? null : headingNear(endsOf(store.get()).start.theta) }),
-    onTable() {
-      const { survey } = now();
-      showTable(survey && robustnessTable(survey));
-    },
   };
 
   /** @param {State} state @param {Scene} scene @param {Spec} spec @param {Spec} rivalSpec */
@@ -100,8 +96,8 @@ export function createSight(element, store) {
   };
 }
 
-/** @param {RobustnessState} robustness @param {Texts} shown @param {{ update: (patch: Partial<RobustnessState>) => void, onHeadings: (choice: string) => void, onTable: () => void }} on */
-function sight({ message, quantity, heading, half }, shown, { update, onHeadings, onTable }) {
+/** @param {RobustnessState} robustness @param {Texts} shown @param {{ update: (patch: Partial<RobustnessState>) => void, onHeadings: (choice: string) => void }} on */
+function sight({ survey, message, quantity, heading, half }, shown, { update, onHeadings }) {
   const choice = heading === null ? 'all' : 'one';
   /** @type {[number, string][]} */
   const extents = halves.map((one) => [one, words.extent(one)]);
@@ -109,7 +105,7 @@ function sight({ message, quantity, heading, half }, shown, { update, onHeadings
     <div class="heading">
       <h2 id="robustness-title">${texts.robustnessTitle}</h2>
       <p id="robustness-note" class=${message ? 'muted failed' : 'muted'}>${shown.note}</p>
-      <button id="robustness-table" type="button" class="link" @click=${onTable}>${tables.texts.tableButton}</button>
+      ${tableButton('robustness', () => survey && robustnessTable(survey))}
     </div>
     <p class="cost-line row"><span id="robustness-share" class="share">${shown.share}</span> <span class="muted"><span
       id="robustness-summary">${shown.summary}</span><br><span id="robustness-rival">${shown.rival}</span></span></p>

@@ -17,8 +17,7 @@ import { plotsOfStability } from './plots.js';
 import { summaryOf } from './summary.js';
 import { stabilityTable } from './table.js';
 
-/** @typedef {{ onLog: (isLog: boolean) => void, onTable: () => void }} Events */
-/** @typedef {{ driving: Stability, law: Experiment['law'], sample: number, label: string, note: string, isLog: boolean }} Model */
+/** @typedef {{ name: string, driving: Stability, law: Experiment['law'], sample: number, label: string, note: string, isLog: boolean }} Model */
 
 /** @param {HTMLElement} root @param {Tools} tools @returns {View} */
 export function createStability(root, tools) {
@@ -38,14 +37,9 @@ export function createStability(root, tools) {
       return { label: words.pictureLabel(name, summary), note: words.noteText(summary) };
     },
   );
-  /** @type {{ name: string, driving: Stability } | null} */
-  let shown = null;
   const picture = once(() => createPicture(root, tools, plotsOfStability));
-  /** @type {Events} */
-  const on = {
-    onLog: (isLog) => curvesSlice.update(store, { scale: isLog ? 'log' : 'linear' }),
-    onTable: () => showTable(shown && stabilityTable(shown.name, shown.driving)),
-  };
+  const onLog = (/** @type {boolean} */ isLog) =>
+    curvesSlice.update(store, { scale: isLog ? 'log' : 'linear' });
   const changed = watch();
   const tell = createTeller('stability');
 
@@ -57,9 +51,8 @@ export function createStability(root, tools) {
       const driving = drivingOf(experiment, gains);
       const texts = textsOf(name, driving, experiment, gains);
       const sample = sampleBefore(driving, time);
-      shown = { name, driving };
       if (changed(driving, law, sample, texts, isLog))
-        render(contentOf({ driving, law, sample, ...texts, isLog }, on), root);
+        render(contentOf({ name, driving, law, sample, ...texts, isLog }, onLog), root);
       tell(texts.note, state.evolving);
       const comparison = comparisonOf(compared.experiment, compared.gains);
       const pinned = pinnedOf(pins);
@@ -68,8 +61,8 @@ export function createStability(root, tools) {
   };
 }
 
-/** @param {Model} model @param {Events} on */
-const contentOf = ({ driving, law, sample, label, note, isLog }, { onLog, onTable }) => html`
+/** @param {Model} model @param {(isLog: boolean) => void} onLog */
+const contentOf = ({ name, driving, law, sample, label, note, isLog }, onLog) => html`
   <dl id="stability-readout" class="stability-readout" data-picture="stability">${readingsOf(driving, law, sample)}</dl>
   <div id="stability-picture" class="stability-picture picture layers" data-picture="stability" data-name=${words.texts.stabilityPicture}>
     <canvas id="stability-lines" role="img" aria-label=${label}></canvas>
@@ -78,7 +71,7 @@ const contentOf = ({ driving, law, sample, label, note, isLog }, { onLog, onTabl
   <div class="stability-foot">
     <p id="stability-note" class="muted">${note}</p>
     ${checkOf('stability-log', words.texts.stabilityLog, isLog, onLog, { more: 'muted' })}
-    <button id="stability-table" type="button" class="link muted" @click=${onTable}>${words.texts.stabilityTable}</button>
+    <button id="stability-table" type="button" class="link muted" @click=${() => showTable(stabilityTable(name, driving))}>${words.texts.stabilityTable}</button>
   </div>`;
 
 /** @type {readonly (readonly [id: keyof typeof words.terms.kanayama, read: (run: Stability, i: number) => number])[]} */
