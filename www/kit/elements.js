@@ -34,6 +34,11 @@ export function write(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
 
+/** Hears of events before what they are for does. @template {keyof WindowEventMap} K @param {readonly K[]} types @param {(event: WindowEventMap[K]) => void} act */
+export function onCapture(types, act) {
+  for (const type of types) addEventListener(type, act, { capture: true });
+}
+
 /** The size of an element in pixels, kept up to date. @param {HTMLElement} element @param {(size: { width: number, height: number }) => void} onResize */
 export function followSize(element, onResize) {
   let size = { width: 0, height: 0 };

@@ -1,5 +1,6 @@
 // A finger that comes down may be about to scroll the page: before it goes sideways, or is lifted, it changes nothing. And what a pointer
 // holds is moved by the page alone.
+import { onCapture } from './elements.js';
 
 /** In pixels, so far a finger moves that means nothing. */
 const slop = 6;
@@ -16,31 +17,27 @@ export const isSideways = (from, to) =>
 export function steadySliders() {
   /** What a finger holds, and had held when the page scrolled. @type {{ slider: HTMLInputElement, value: string, from: PointerEvent } | null} */
   let held = null;
-  /** @template {keyof WindowEventMap} K @param {readonly K[]} types @param {(event: WindowEventMap[K]) => void} act */
-  const on = (types, act) => {
-    for (const type of types) addEventListener(type, act, { capture: true });
-  };
   const letGo = () => {
     const { slider, value } = held ?? {};
     held = null;
     if (slider && slider.value !== value) slider.dispatchEvent(new Event('input', { bubbles: true }));
   };
-  on(['pointerdown'], (event) => {
+  onCapture(['pointerdown'], (event) => {
     const { target: slider, pointerType } = event;
     const isSlider = slider instanceof HTMLInputElement && slider.type === 'range';
     held = isSlider && pointerType === 'touch' ? { slider, value: slider.value, from: event } : null;
   });
-  on(['keydown'], () => {
+  onCapture(['keydown'], () => {
     held = null;
   });
-  on(['pointermove'], (event) => {
+  onCapture(['pointermove'], (event) => {
     if (held && isSideways(held.from, event)) letGo();
   });
-  on(['pointerup'], letGo);
-  on(['pointercancel'], () => {
+  onCapture(['pointerup'], letGo);
+  onCapture(['pointercancel'], () => {
     if (held) held.slider.value = held.value;
   });
-  on(['input', 'change'], (event) => {
+  onCapture(['input', 'change'], (event) => {
     if (event.target === held?.slider) event.stopImmediatePropagation();
   });
 }
@@ -51,13 +48,8 @@ const held = 'input[type="range"], button, canvas, svg, [role="application"], [r
 /** Where something is selected, browsers take it along from whatever of it is pressed, and the page hears no more of the pointer. */
 export function keepHeld() {
   let isHeld = false;
-  const capture = { capture: true };
-  addEventListener(
-    'pointerdown',
-    ({ target }) => {
-      isHeld = target instanceof Element && target.closest(held) !== null;
-    },
-    capture,
-  );
-  addEventListener('dragstart', (event) => isHeld && event.preventDefault(), capture);
+  onCapture(['pointerdown'], ({ target }) => {
+    isHeld = target instanceof Element && target.closest(held) !== null;
+  });
+  onCapture(['dragstart'], (event) => isHeld && event.preventDefault());
 }

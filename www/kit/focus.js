@@ -1,4 +1,5 @@
 // Where the focus goes when what was pressed goes away by it.
+import { onCapture } from './elements.js';
 
 /** To be called once the page is drawn, with the heading of what is open: if what was pressed last is gone, and the focus with it, the next one has it, or what was opened by it. @param {string} selector Of all that may have it. */
 export function createFocusKeeper(selector) {
@@ -15,7 +16,7 @@ export function createFocusKeeper(selector) {
     isElsewhere = false;
   };
   addEventListener('click', follow);
-  for (const kind of ['pointerdown', 'keydown']) addEventListener(kind, forget, true);
+  onCapture(['pointerdown', 'keydown'], forget);
 
   /** @param {string} heading A selector. */
   return (heading) => {

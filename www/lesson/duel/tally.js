@@ -1,4 +1,5 @@
 // How often somebody has driven by hand, and the best that came of it. A drag is one drive, however far it goes.
+import { onCapture } from '../../kit/elements.js';
 import { remember, watch } from '../../kit/memo.js';
 import { noTally, progressSlice } from '../state.js';
 
@@ -84,22 +85,19 @@ function watchHand(store) {
   let moved = false;
   const isOfGains = (/** @type {EventTarget | null} */ target) =>
     target instanceof HTMLInputElement && target.closest('#gains') !== null;
-  const on = (/** @type {string[]} */ types, /** @type {(event: Event) => void} */ act) => {
-    for (const type of types) addEventListener(type, act, { capture: true });
-  };
   const letGo = () => {
     if (held) store.redraw();
     held = null;
   };
-  on(['pointerdown', 'keydown'], ({ target }) => {
+  onCapture(['pointerdown', 'keydown'], ({ target }) => {
     held = isOfGains(target) && /** @type {HTMLInputElement} */ (target).type === 'range' ? target : null;
   });
-  on(['pointerup', 'pointercancel', 'keyup'], letGo);
+  onCapture(['pointerup', 'pointercancel', 'keyup'], letGo);
   // Of the slider or of the window: where a press begins, whatever had the focus before loses it.
-  on(['blur'], ({ target, currentTarget }) => {
+  onCapture(['blur'], ({ target, currentTarget }) => {
     if (target === held || target === currentTarget) letGo();
   });
-  on(['input', 'change'], ({ target, type }) => {
+  onCapture(['input', 'change'], ({ target, type }) => {
     const isTyping = /** @type {HTMLInputElement} */ (target).type === 'text' && type === 'input';
     if (isOfGains(target) && !isTyping) moved = true;
   });
