@@ -9,7 +9,7 @@ import { fixed, powerText } from '../../words/numbers.js';
 import { anatomyOf, chosenIn } from '../anatomy.js';
 import { createSmallDrive } from './small-drives.js';
 
-/** @import { Experiment, Run, Triple } from '../../core/engine.js' */
+/** @import { Experiment, Triple } from '../../core/engine.js' */
 /** @import { Anatomy } from '../../parts/generation/record.js' */
 /** @import { Block, Live, Tools } from '../page.js' */
 /** @typedef {{ newborn: { title: (better: number, count: number) => string, parents: (count: number) => string, alone: (count: number) => string, name: (number: number, isParent: boolean) => string } }} NewbornWords */
