@@ -10,41 +10,38 @@ import { messageOf } from '../words/errors.js';
 
 /** @template {Attempted} S @param {(patch: Partial<S>) => void} update Of the slice. */
 export function createAttempts(update) {
-  /** @type {AbortController | null} */
-  let running = null;
+  let newest = new AbortController();
   const say = (/** @type {Partial<Attempted>} */ patch) => update(/** @type {Partial<S>} */ (patch));
 
   return {
     /** What is under way is given up for it. Whether it came to its end. @param {(options: { signal: AbortSignal, onProgress: (share: number) => void }) => Promise<Partial<S>>} work */
     async begin(work) {
-      running?.abort();
+      newest.abort();
       const own = new AbortController();
-      running = own;
+      newest = own;
+      const { signal } = own;
       say({ progress: 0, cancelled: false, message: '' });
       try {
         const found = await work({
-          signal: own.signal,
+          signal,
           onProgress(progress) {
-            if (running === own) say({ progress });
+            if (!signal.aborted) say({ progress });
           },
         });
         // It may have been done just as it was given up.
-        own.signal.throwIfAborted();
+        signal.throwIfAborted();
         update({ ...found, progress: null });
         return true;
       } catch (error) {
-        if (running === own) say({ progress: null, message: messageOf(error) });
+        if (!signal.aborted) say({ progress: null, message: messageOf(error) });
         own.abort();
         return false;
-      } finally {
-        if (running === own) running = null;
       }
     },
 
     /** What was there before stays. */
     cancel() {
-      running?.abort();
-      running = null;
+      newest.abort();
       say({ progress: null, cancelled: true });
     },
   };

@@ -45,51 +45,48 @@ function refusalOf(experiment, { seeds, budget }, count) {
 
 /** @param {Engine} engine @param {Store} store */
 export function createContestRequests(engine, store) {
-  /** @type {AbortController | null} */
-  let running = null;
+  let newest = new AbortController();
   const { now: luck, update } = luckSlice.at(store);
 
-  /** One part of one contestant. @param {Contest} asked @param {number} index @param {[number, number]} seeds @param {AbortController} own */
-  async function runPart({ experiment, lines, budget }, index, seeds, own) {
+  /** One part of one contestant. @param {Contest} asked @param {number} index @param {[number, number]} seeds @param {AbortSignal} signal */
+  async function runPart({ experiment, lines, budget }, index, seeds, signal) {
     /** @param {(line: Line) => Partial<Line>} patchOf */
     const note = (patchOf) => {
       const { contest } = luck();
-      if (running === own && contest)
+      if (!signal.aborted && contest)
         update({ contest: withLine(contest, index, patchOf(contest.lines[index])) });
     };
     try {
       const runs = await engine.surveys.trials(
         entered(experiment, lines[index].name),
         { seeds, drives: budget },
-        { signal: own.signal },
+        { signal },
       );
       note(({ trials }) => ({ trials: [...trials, ...runs].sort((a, b) => a.seed - b.seed) }));
     } catch (error) {
-      if (!own.signal.aborted) note(() => ({ trials: [], error: settings.named(messageOf(error)) }));
+      note(() => ({ trials: [], error: settings.named(messageOf(error)) }));
     }
   }
 
   return {
     async run() {
-      running?.abort();
+      newest.abort();
       const { experiment } = store.get();
       const { others, seeds, budget } = luck();
       const names = [null, ...others];
       const contestMessage = refusalOf(experiment, { seeds, budget }, names.length);
-      if (contestMessage) return update({ contestMessage });
-      const own = new AbortController();
-      running = own;
+      if (contestMessage) return update({ contestMessage, contestRuns: false });
+      newest = new AbortController();
+      const { signal } = newest;
       const lines = names.map((name) => ({ name, trials: [], error: '' }));
       const contest = { experiment, seeds, budget, lines, cancelled: false };
       update({ contest, contestRuns: true, contestMessage: '' });
       // All contestants with the first seeds, then all with the next.
       const parts = partsOf(experiment, { seeds, budget }).flatMap((part) =>
-        names.map((_, index) => runPart(contest, index, part, own)),
+        names.map((_, index) => runPart(contest, index, part, signal)),
       );
       await Promise.all(parts);
-      if (running !== own) return;
-      running = null;
-      update({ contestRuns: false });
+      if (!signal.aborted) update({ contestRuns: false });
     },
 
     /** Runs it where the lesson has asked for it, unless it is there. */
@@ -102,9 +99,7 @@ export function createContestRequests(engine, store) {
 
     /** What was done stays. */
     cancel() {
-      const aborted = running;
-      running = null;
-      aborted?.abort();
+      newest.abort();
       const { contest } = luck();
       update({ contestRuns: false, contest: contest && { ...contest, cancelled: true } });
     },
