@@ -36,7 +36,7 @@ function costOf({ title, starts, run, note }) {
       ([part]) =>
         html`<span class="cost-segment part-${part}" data-term=${part} .hidden=${!(share(part) >= 0.004)} ${styled('flex-grow', String(share(part)))}></span>`,
     )}</div>
-    <ul id="cost-parts" class="cost-parts muted">${strings.costParts.map(
+    <ul id="cost-parts" class="cost-parts row muted">${strings.costParts.map(
       ([part, name]) =>
         // What only gains below zero pay is left out while nobody pays it.
         html`<li class="part-${part}" data-term=${part} .hidden=${part === 'penalty' && cost.penalty === 0}>${name} <span id="cost-${part}" class="cost-value">${strings.partText(cost[part])}</span></li>`,

@@ -187,10 +187,11 @@ function foot(number) {
     !isOnPath(other)
       ? nothing
       : html`<a class=${look} href=${`#${linkOfStep(other)}`}>${text(titleOf(other))}</a>`;
-  if (number > pathLength) return html`<nav class="lesson-foot">${to(1, 'step-back', words.toPath)}</nav>`;
+  if (number > pathLength)
+    return html`<nav class="lesson-foot row">${to(1, 'step-back', words.toPath)}</nav>`;
   const end =
     number === pathLength
       ? html`<p class="lesson-end">${inline(words.pathEnds, (link) => hrefOf(link, 0))}</p>`
       : nothing;
-  return html`${end}<nav class="lesson-foot">${to(number - 1, 'step-back', words.previousStep)}${to(number + 1, 'step-on', words.nextStep)}</nav>`;
+  return html`${end}<nav class="lesson-foot row">${to(number - 1, 'step-back', words.previousStep)}${to(number + 1, 'step-on', words.nextStep)}</nav>`;
 }

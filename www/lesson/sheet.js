@@ -57,7 +57,7 @@ export const sheet = (name, items, half = 'all') => ({
     });
     const element = create('section', 'sheet-list');
     render(
-      html`<div class="sheet-list-head"><h3>${half === 'answers' ? words.answersTo(title) : title}</h3>
+      html`<div class="sheet-list-head row"><h3>${half === 'answers' ? words.answersTo(title) : title}</h3>
           <button type="button" class="link" @click=${() => printAlone(element)}>${words.print}</button></div>
         ${note && half !== 'answers' ? muted(note) : nothing}
         ${apart && !isEmbedded ? html`<div class="sheet-apart">${muted(apart)}</div>` : nothing}<ol>${rows}</ol>`,

@@ -32,7 +32,7 @@ export function createPanel(id, className) {
 /** @param {{ engine: Engine, store: Store, actions: Actions }} parts @param {(state: State) => boolean} hasLab Whether what is set, undone and redone is in sight. */
 export function createSettingsPanel({ engine, store, actions }, hasLab) {
   const button = byId('settings-button');
-  const panel = createPanel('settings', 'settings');
+  const panel = createPanel('settings', 'settings column');
   button.hidden = false;
   const originals = createOriginals(engine);
   const rowsMade = once(() => createRows(engine, actions, originals.somewhere));

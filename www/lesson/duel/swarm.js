@@ -26,7 +26,7 @@ const carOf = (scale) => Math.min(8.5, Math.max(4.5, 0.11 * scale));
 export function createSwarm({ store }, words, seenIn) {
   const canvas = /** @type {HTMLCanvasElement} */ (create('canvas', { role: 'img' }));
   const picture = create('div', 'swarm-picture layers', canvas);
-  const head = create('div', 'swarm-head');
+  const head = create('div', 'swarm-head row');
   const element = create('div', { id: 'swarm', class: 'swarm' }, head, picture);
   const sizeOf = followSize(picture, () => store.redraw());
   const layer = createLayer(canvas);

@@ -33,9 +33,9 @@ export function createPage(tools) {
           <h2 id="curves-title">${words.texts.curvesTitle}</h2>
           ${segmentedOf('curves-view', words.viewLegend, listed(words.views), view, choose, 'small')}
         </div>
-        <div id="curves-over-time" class="curves-over-time" .hidden=${view !== 'time'}></div>
-        <div id="curves-stability" class="stability" .hidden=${view !== 'stability'}></div>
-        <div id="curves-compare" class="curves-compare" .hidden=${view !== 'compare'}></div>
+        <div id="curves-over-time" class="curves-over-time column" .hidden=${view !== 'time'}></div>
+        <div id="curves-stability" class="stability column" .hidden=${view !== 'stability'}></div>
+        <div id="curves-compare" class="curves-compare column" .hidden=${view !== 'compare'}></div>
         <div id="curves-numbers" class="curves-scroll" tabindex="0" role="group"
           aria-label=${words.texts.numbersTable} .hidden=${view !== 'numbers'}></div>`,
       element,

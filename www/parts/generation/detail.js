@@ -7,7 +7,7 @@ import words from './words/index.js';
 
 /** @param {Anatomy} anatomy @param {number} number @param {string[]} facts */
 export const headline = (anatomy, number, ...facts) =>
-  html`<p class="headline"><strong>${words.capital(words.nameOf(anatomy, number))}</strong><span>${facts.join(' · ')}</span></p>`;
+  html`<p class="headline row"><strong>${words.capital(words.nameOf(anatomy, number))}</strong><span>${facts.join(' · ')}</span></p>`;
 
 /** @param {Anatomy} anatomy @param {number} number @param {(number: number) => void} choose */
 export const link = (anatomy, number, choose) =>

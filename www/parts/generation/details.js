@@ -60,7 +60,7 @@ const contents = {
       ${sigmaEquation(birth, i, rates)}`;
     const { gain, sigma, exponent, index } = words.formula;
     return html`
-      <p class="headline"><span>${link(anatomy, pair, choose)} → ${link(anatomy, pair + count, choose)}</span><span
+      <p class="headline row"><span>${link(anatomy, pair, choose)} → ${link(anatomy, pair + count, choose)}</span><span
         class="rule muted">${gain[step]}<span class="gap"></span>${sigma}<sup>${exponent}<sub>${index}</sub></sup></span></p>
       ${birth.other === null ? nothing : crossing(anatomy, birth, birth.other, choose)}
       ${gainRows(Math.min(...birth.base.sigmas) < longBelow ? 'gain-rows long' : 'gain-rows', row)}
@@ -92,14 +92,14 @@ const contents = {
     const opponents = record.opponents[chosen];
     const bouts = Array.from(opponents.slice(0, mostBouts), (opponent) => {
       const won = winsBout(cost, all[opponent].cost);
-      return html`<li class=${won ? 'won' : 'lost'}><span class="sign" role="img"
+      return html`<li class="row ${won ? 'won' : 'lost'}"><span class="sign" role="img"
         aria-label=${won ? words.wonText : words.lostText}>${won ? words.won : words.lost}</span>${link(anatomy, opponent, choose)}<span
         class="cost">${write(all[opponent].cost)}</span></li>`;
     });
     const rest = opponents.length - bouts.length;
     return html`
       ${headline(anatomy, chosen, `J ${write(cost)}`, words.sumText(record.wins[chosen], opponents.length))}
-      <ul class="bouts">${bouts}${rest > 0 ? html`<li class="muted">${words.moreBouts(rest)}</li>` : nothing}</ul>`;
+      <ul class="bouts">${bouts}${rest > 0 ? html`<li class="row muted">${words.moreBouts(rest)}</li>` : nothing}</ul>`;
   },
 
   ranking({ anatomy, chosen }, { choose }) {

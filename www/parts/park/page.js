@@ -30,7 +30,7 @@ export async function createPage(tools) {
   const task = createTask(engine);
   const element = createSection('park');
   const { plane, canvases, note } = createPlane();
-  const [head, side] = [create('div', 'park-head'), create('div', 'park-side')];
+  const [head, side] = [create('div', 'park-head column'), create('div', 'park-side column')];
   element.append(head, plane, side);
   const picture = createParkPicture(canvases, task);
   // All of them drive.

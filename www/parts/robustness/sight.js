@@ -114,7 +114,7 @@ function sight({ survey, message, quantity, heading, half }, shown, { update, on
       <label class="survey-extent muted">${selectOf('robustness-half', texts.robustnessExtent, extents, half, (chosen) => update({ half: chosen, cursor: null }))}
         <span>${texts.robustnessAround}</span></label>
     </div>
-    <div class="survey">
+    <div class="survey column">
       <div id="robustness-map" class="survey-map layers" data-picture="robustness" data-name=${words.texts.robustnessPicture} tabindex="0" role="application"
         aria-label=${words.mapLabel}
         aria-describedby="robustness-share robustness-summary robustness-sides robustness-readout">

@@ -192,7 +192,7 @@ function contentOf(view, table, on) {
         <div id="collect-histogram" role="img" aria-label=${labels.histogram}></div>
         <div id="collect-gains" role="img" aria-label=${labels.gains}></div>
       </div>
-      <ul class="collect-legend muted">${legendOf(rows, given)}</ul>
+      <ul class="collect-legend row muted">${legendOf(rows, given)}</ul>
       <div class="bar">
         <button id="collect-csv" type="button" class="primary" @click=${on.save}>${texts.csv}</button>
         ${rows.length > mostRows ? pager(rows.length, first, on.show) : nothing}

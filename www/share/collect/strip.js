@@ -11,7 +11,12 @@ const { texts } = words;
 
 /** @param {{ open: (index: number) => void, back: () => void }} on `back`: to the table. */
 export function createStrip(on) {
-  const attributes = { id: 'collect-strip', class: 'collect-strip', hidden: '', 'aria-label': texts.strip };
+  const attributes = {
+    id: 'collect-strip',
+    class: 'collect-strip row',
+    hidden: '',
+    'aria-label': texts.strip,
+  };
   const root = create('section', attributes);
   byId('exercise').before(root);
   const changed = watch();

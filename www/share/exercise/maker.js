@@ -52,7 +52,7 @@ function createDrafts() {
 
 /** @param {SheetTools} tools */
 export function createMaker({ engine, store, actions, links, paper }) {
-  const panel = createPanel('maker', 'settings maker');
+  const panel = createPanel('maker', 'settings column maker');
   let [status, linkNow, linkSaid] = ['', '', ''];
   const draftNow = () => store.get().maker.draft;
   const change = (/** @type {Partial<Exercise>} */ patch) =>

@@ -55,7 +55,7 @@ export function climb({ bred, best, count }) {
   const newest = /** @type {Bred} */ (bred.at(-1));
   const name = words.climb(newest);
   return html`<figure class="park-climb">
-    <div class="park-climb-axis" aria-hidden="true"><span>${words.climbAxis(count)}</span><span>0</span></div>
+    <div class="park-climb-axis column" aria-hidden="true"><span>${words.climbAxis(count)}</span><span>0</span></div>
     <div class="park-climb-plot">
       <svg viewBox="0 -2 ${width} ${height + 4}" preserveAspectRatio="none" role="img" aria-label=${best ? `${name} · ${words.yoursParked(best.parked)}` : name}>
         <path d="M0 0H${width}M0 ${height}H${width}"></path>
@@ -88,7 +88,7 @@ export function comparison(model, found, onWalk) {
 function way({ between, isOwn, isFree, driven, driving, count }, onWalk) {
   const share = between?.share ?? (isOwn ? 0 : 1);
   const gains = lab.gains.map(({ name }, i) => `${name} ${words.gain(driven[i])}`);
-  return html`<p class="park-walk"><span aria-hidden="true">${words.bestByHand}</span>
+  return html`<p class="park-walk row"><span aria-hidden="true">${words.bestByHand}</span>
     <input id="park-between" type="range" min="0" max="1" step="0.01" aria-label=${words.walk} aria-valuetext=${words.walkedTo(gains, driving, count)}
       .value=${live(String(share))} .disabled=${!isFree} ${styled('--from', '0%')} ${styled('--to', `${percentOf(share)}%`)}
       @input=${(/** @type {Event} */ event) => onWalk(Number(valueIn(event)))}>
