@@ -10,7 +10,7 @@ const { texts } = words;
 
 /** @param {Summary | null} summary Nothing is in sight until there is one. */
 export const tableOf = (summary) => html`
-  <ul id="remains-legend" class="remains-legend row muted" data-picture="disturbance"
+  <ul id="remains-legend" class="remains-legend lines row muted" data-picture="disturbance"
     data-name=${texts.disturbancePicture} aria-hidden="true">
     ${Object.entries(words.legend).map(([name, text]) => (name === 'set' && !hasSets(summary) ? nothing : html`<li class=${name}>${text}</li>`))}
   </ul>

@@ -60,7 +60,7 @@ export const captionText = ({ seconds, disturbed }) =>
   `largest of the ${lastText(seconds)}${disturbed ? '; small: undisturbed' : ''}`;
 
 export const legend = {
-  drive: 'this drive',
+  solid: 'this drive',
   others: `other starts, largest of each ${crestSeconds} s`,
   set: 'set of Theorem 2, (6) to (8): outside all three, V̇ < 0',
 };

@@ -56,7 +56,7 @@ export const captionText = ({ seconds, disturbed }) =>
   `마지막 ${sixDigits(seconds)}초의 최댓값${disturbed ? '. 작은 글씨: 외란 없음' : ''}`;
 
 export const legend = {
-  drive: '이 주행',
+  solid: '이 주행',
   others: `다른 출발점, ${crestSeconds}초마다의 최댓값`,
   set: '정리 2의 집합 (6)~(8): 셋 모두의 밖에서 V̇ < 0',
 };
