@@ -2,7 +2,8 @@
 /** @import { Posture, Run } from '../core/engine.js' */
 /** @import { View } from '../kit/transform.js' */
 /** @import { Room } from './plane-names.js' */
-import { referenceOf, sizes } from './track.js';
+/** @import { Track } from './track.js' */
+import { postureAt, referenceOf, sizes } from './track.js';
 import { strongFont } from '../kit/lettering.js';
 import { knobOf } from '../kit/transform.js';
 import { isTracking } from '../core/reference.js';
@@ -24,10 +25,7 @@ const postures = { width: 210, height: 72, left: 56, right: 16, bottom: 36 };
 function standing({ view, ends, runs, isPaid }) {
   const at = (/** @type {{ x: number, y: number }} */ { x, y }, /** @type {number} */ radius) =>
     around(view.screenX(x), view.screenY(y), radius);
-  const last = (/** @type {Pick<Run, 'x' | 'y' | 'theta'>} */ { x, y, theta }) => {
-    const end = x.length - 1;
-    return { x: x[end], y: y[end], theta: theta[end] };
-  };
+  const last = (/** @type {Track} */ run) => postureAt(run, Infinity);
   const [driving] = runs;
   const stray = strayOf(view, last(driving));
   return [

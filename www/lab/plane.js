@@ -4,7 +4,6 @@
 /** @import { Pins } from '../run/pins.js' */
 /** @import { Scene } from '../run/scene.js' */
 /** @import { PostureName } from './plane-names.js' */
-/** @import { Track } from './track.js' */
 import { scaleLinear } from 'd3-scale';
 import { createWatchedLayer, fillTextWithHalo } from '../kit/canvas.js';
 import { paidAt } from '../core/paid.js';
@@ -17,7 +16,7 @@ import { isTracking } from '../core/reference.js';
 import { lab as strings } from '../words/index.js';
 import { isOnHandle, isSmall, namesIn, roomOf, widthOf } from './plane-names.js';
 import { drawRobots } from './robots.js';
-import { emptyKite, inMetres, kite, referenceOf, sizes, trace } from './track.js';
+import { emptyKite, kite, referenceOf, sizes, strokeRuns } from './track.js';
 
 /** @typedef {{ view: View, scene: Scene, start: Posture, goal: Posture, pins: Pins, pays: boolean, time: number, theme: number }} PlaneModel With `pays`, where along the path J was paid. */
 
@@ -92,29 +91,16 @@ function multiples(from, to, step) {
 
 /** @param {CanvasRenderingContext2D} context @param {View} view @param {Scene} scene @param {Pins} pins */
 function drawPaths(context, view, scene, pins) {
-  /** @param {Track} run @param {string} stroke @param {number} alpha @param {number} width @param {number[]} [dash] */
-  const path = (run, stroke, alpha, width, dash = []) => {
-    context.strokeStyle = stroke;
-    context.globalAlpha = alpha;
-    context.lineWidth = width / view.scale;
-    context.setLineDash(dash.map((length) => length / view.scale));
-    context.beginPath();
-    trace(context, view, run, run.time.length - 1);
-    context.stroke();
-  };
-  context.save();
-  inMetres(context, view);
-  context.lineJoin = 'round';
-  context.lineCap = 'round';
-  for (const run of scene.others) path(run, colour('--ink'), 0.2, 1);
-  path(scene.comparison, colour('--muted'), 1, 2, [2, 6]);
-  context.lineCap = 'butt';
-  for (const [i, { slot }] of pins.entries())
-    path(scene.pins[i], colour(styles[slot].token), 1, 2, [...styles[slot].dash]);
-  context.lineCap = 'round';
-  path(scene.driving, colour('--ink'), 0.4, 1.5);
-  if (isTracking(scene.driving)) path(referenceOf(scene.driving), colour('--ink'), 1, 1, [8, 6]);
-  context.restore();
+  const { others, comparison, driving } = scene;
+  strokeRuns(context, view, [
+    ...others.map((run) => ({ run, token: '--ink', alpha: 0.2, width: 1, isRound: true })),
+    { run: comparison, token: '--muted', width: 2, dash: [2, 6], isRound: true },
+    ...pins.map(({ slot }, i) => ({ run: scene.pins[i], ...styles[slot], width: 2 })),
+    { run: driving, token: '--ink', alpha: 0.4, width: 1.5, isRound: true },
+    ...(isTracking(driving)
+      ? [{ run: referenceOf(driving), token: '--ink', width: 1, dash: [8, 6], isRound: true }]
+      : []),
+  ]);
 }
 
 /** Where pinned runs had another goal. @param {CanvasRenderingContext2D} context @param {View} view @param {Pins} pins @param {Posture} goal */

@@ -13,7 +13,7 @@ import { keepInside } from '../kit/transform.js';
 import { styles } from '../run/pins.js';
 import { lab as strings } from '../words/index.js';
 import { drawCar } from './car.js';
-import { emptyKite, inMetres, kite, postureAt, referenceOf, sampleBefore, sizes, trace } from './track.js';
+import { emptyKite, kite, postureAt, referenceOf, sizes, strokeRuns } from './track.js';
 
 /** @param {CanvasRenderingContext2D} context @param {View} view @param {Scene} scene @param {Pins} pins @param {number} time */
 export function drawRobots(context, view, scene, pins, time) {
@@ -37,7 +37,7 @@ export function drawRobots(context, view, scene, pins, time) {
     });
   }
   if (isTracking(scene.driving)) drawReference(context, view, scene.driving, time);
-  drawTrail(context, view, scene.driving, time);
+  strokeRuns(context, view, [{ run: scene.driving, until: time, token: '--ink', width: 3.5, isRound: true }]);
   robot(scene.driving, sizes.robot, { body: ink, wheel: ink, nose: paper, edge: paper });
   drawStray(context, view, postureAt(scene.driving, time));
 }
@@ -51,22 +51,6 @@ function drawReference(context, view, run, time) {
   emptyKite(context, px, py, theta, '--ink');
   setLettering(context, {});
   fillTextWithHalo(context, strings.referenceName, px + 22, py + 22, inkOnPaper());
-}
-
-/** @param {CanvasRenderingContext2D} context @param {View} view @param {Run} run @param {number} time */
-function drawTrail(context, view, run, time) {
-  const { x, y } = postureAt(run, time);
-  context.save();
-  inMetres(context, view);
-  context.strokeStyle = colour('--ink');
-  context.lineWidth = 3.5 / view.scale;
-  context.lineJoin = 'round';
-  context.lineCap = 'round';
-  context.beginPath();
-  trace(context, view, run, sampleBefore(run, time));
-  context.lineTo(x, y);
-  context.stroke();
-  context.restore();
 }
 
 /** Of a robot outside the plane: where its mark stands at the edge, and how far it is from there. @param {View} view @param {Posture} posture */

@@ -5,6 +5,7 @@ import { take } from '../kit/chart.js';
 import { colour } from '../kit/palette.js';
 
 /** @typedef {Pick<Run, 'time' | 'x' | 'y' | 'theta'>} Track */
+/** The line of a run, up to a moment or its end. @typedef {{ run: Track, until?: number, token: string, alpha?: number, width: number, dash?: readonly number[], isRound?: boolean }} RunStroke In pixels; `isRound` are its ends. */
 
 /** As large as they are drawn, in pixels: an arrow for a posture, half the length of a robot. */
 export const sizes = { posture: 17, robot: 13, rival: 10, ghost: 6.5 };
@@ -31,6 +32,27 @@ export function trace(context, { scale }, { x, y }, last) {
     context.lineTo(x[i], y[i]);
     drawn = i;
   }
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Pick<View, 'scale' | 'originX' | 'originY'>} view @param {readonly RunStroke[]} strokes Each over those before it. */
+export function strokeRuns(context, view, strokes) {
+  const metres = (/** @type {number} */ pixels) => pixels / view.scale;
+  context.save();
+  inMetres(context, view);
+  context.lineJoin = 'round';
+  for (const { run, until = Infinity, token, alpha = 1, width, dash = [], isRound = false } of strokes) {
+    take(context, { token, width: metres(width), dash: dash.map(metres) });
+    context.globalAlpha = alpha;
+    context.lineCap = isRound ? 'round' : 'butt';
+    context.beginPath();
+    trace(context, view, run, sampleBefore(run, until));
+    if (until < Infinity) {
+      const { x, y } = postureAt(run, until);
+      context.lineTo(x, y);
+    }
+    context.stroke();
+  }
+  context.restore();
 }
 
 /** @param {CanvasRenderingContext2D} context @param {number} px @param {number} py @param {number} theta @param {number} size */

@@ -6,7 +6,7 @@ import { circle, createLayer, createWatchedLayer, pathOf } from '../../kit/canva
 import { once, watch } from '../../kit/memo.js';
 import { colour } from '../../kit/palette.js';
 import { viewAround } from '../../kit/transform.js';
-import { inMetres, postureAt, sampleBefore, trace } from '../../lab/track.js';
+import { inMetres, postureAt, sampleBefore, strokeRuns, trace } from '../../lab/track.js';
 import { isOver } from './film.js';
 import { axle } from './task.js';
 
@@ -38,8 +38,9 @@ export function createParkPicture(canvases, place) {
     if (size.width === 0) return;
     const plan = planOf(size, place);
     floor(size, [film.drives, film.others, theme], (context) => {
-      drawPaths(context, plan, film.others, 0.1);
-      drawPaths(context, plan, film.drives, 0.16);
+      const paths = (/** @type {readonly Drive[]} */ drives, /** @type {number} */ alpha) =>
+        drives.map(({ run }) => ({ run, token: '--ink', alpha, width: 1 }));
+      strokeRuns(context, plan, [...paths(film.others, 0.1), ...paths(film.drives, 0.16)]);
       drawBay(context, plan, place.goal);
     });
     /** @param {number} from */
@@ -56,22 +57,6 @@ export function createParkPicture(canvases, place) {
 
 /** @param {{ width: number, height: number }} size @param {{ goal: Posture, radius: number }} place */
 export const planOf = (size, { goal, radius }) => viewAround(goal, radius + margin, size);
-
-/** Whole, as thin lines. @param {CanvasRenderingContext2D} context @param {Plan} plan @param {readonly Drive[]} drives @param {number} alpha */
-function drawPaths(context, plan, drives, alpha) {
-  context.save();
-  inMetres(context, plan);
-  context.strokeStyle = colour('--ink');
-  context.globalAlpha = alpha;
-  context.lineWidth = 1 / plan.scale;
-  context.lineJoin = 'round';
-  for (const { run } of drives) {
-    context.beginPath();
-    trace(context, plan, run, run.time.length - 1);
-    context.stroke();
-  }
-  context.restore();
-}
 
 /** Three walls, open to where one comes from, and the heading on the ground. @param {CanvasRenderingContext2D} context @param {Plan} plan @param {Posture} goal */
 function drawBay(context, plan, { x, y, theta }) {
