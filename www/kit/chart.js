@@ -6,6 +6,7 @@ import { setLettering } from './lettering.js';
 import { standingFree } from './names.js';
 import { watch } from './memo.js';
 import { colour } from './palette.js';
+import { multiples, roundStep } from './steps.js';
 
 /** @typedef {import('./canvas.js').Size} Size */
 /** @typedef {import('d3-scale').ScaleContinuousNumeric<number, number>} Scale */
@@ -62,13 +63,9 @@ export function ticksOn(scale, space, { factors = [1, 2, 2.5, 5], least = 0 } = 
   const [from, to] = scale.domain();
   const [start, end] = scale.range();
   const wanted = Math.max(least, (space * (to - from)) / Math.max(1, Math.abs(end - start)));
-  const power = 10 ** Math.floor(Math.log10(wanted) + 1e-9);
-  const step = power * (factors.find((factor) => factor * power >= wanted * (1 - 1e-9)) ?? 10);
+  const step = roundStep(wanted, factors);
   // No number tells how far apart the ends are.
-  if (!Number.isFinite(step)) return [];
-  const first = Math.ceil(from / step - 1e-9);
-  const count = Math.floor(to / step + 1e-9) - first + 1;
-  return Array.from({ length: Math.max(0, count) }, (_, i) => (first + i) * step);
+  return Number.isFinite(step) ? multiples(from, to, step) : [];
 }
 
 /** Round numbers on an upright axis; closer where else one alone would not tell how far apart they are. @param {Scale} scale */

@@ -10,6 +10,7 @@ import { paidAt } from '../core/paid.js';
 import { take } from '../kit/chart.js';
 import { setLettering } from '../kit/lettering.js';
 import { colour } from '../kit/palette.js';
+import { multiples, roundStep } from '../kit/steps.js';
 import { styles } from '../run/pins.js';
 import { knobOf } from '../kit/transform.js';
 import { isTracking } from '../core/reference.js';
@@ -46,7 +47,7 @@ export function createPlane(pathsCanvas, robotsCanvas) {
 
 /** @param {CanvasRenderingContext2D} context @param {View} view @param {readonly PostureName[]} names Over a number they would leave pieces of it. */
 function drawGrid(context, view, names) {
-  const step = gridStep(view);
+  const step = roundStep(Math.min(140, view.width / 4.5) / view.scale);
   const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
   const low = view.world(0, view.height);
   const high = view.world(view.width, 0);
@@ -74,19 +75,6 @@ function drawGrid(context, view, names) {
     if (py > 12) context.fillText(strings.fixed(y, digits), edge, py);
   }
   context.stroke();
-}
-
-/** The metres between grid lines: 1, 2 or 5 times a power of ten, and far enough apart for the size of the plane. @param {View} view */
-function gridStep({ scale, width }) {
-  const least = Math.min(140, width / 4.5) / scale;
-  const power = 10 ** Math.floor(Math.log10(least));
-  return power * ([1, 2, 5].find((factor) => factor * power >= least) ?? 10);
-}
-
-/** @param {number} from @param {number} to @param {number} step */
-function multiples(from, to, step) {
-  const first = Math.ceil(from / step);
-  return Array.from({ length: Math.max(0, Math.floor(to / step) - first + 1) }, (_, i) => (first + i) * step);
 }
 
 /** @param {CanvasRenderingContext2D} context @param {View} view @param {Scene} scene @param {Pins} pins */

@@ -3,6 +3,7 @@ import { html, render } from 'lit-html';
 import { create } from '../../kit/elements.js';
 import { watch } from '../../kit/memo.js';
 import { listed } from '../../kit/segmented.js';
+import { roundStep } from '../../kit/steps.js';
 import { gainsOf } from '../../run/drivers.js';
 import { lab } from '../../words/index.js';
 import { threeDigits } from '../../words/numbers.js';
@@ -129,9 +130,7 @@ const mostDots = 12;
 /** A round number of seconds, the same for all, so that dots far apart mean fast. @param {readonly (Run | null)[]} runs */
 export function beatOf(runs) {
   const longest = Math.max(...runs.map((run) => run?.finalTime ?? 0));
-  const least = longest / mostDots;
-  const power = 10 ** Math.floor(Math.log10(least));
-  return power * ([1, 2, 5].find((factor) => factor * power >= least) ?? 10);
+  return roundStep(longest / mostDots);
 }
 
 /** @param {Run | null} run @returns {run is Run} */

@@ -5,6 +5,7 @@ import { tickStep, ticks as ticksOf } from 'd3-array';
 import { hasPairs } from '../../core/methods.js';
 import { sameDigits } from '../../kit/chart.js';
 import { svg } from '../../kit/elements.js';
+import { roundStep } from '../../kit/steps.js';
 import words from './words/index.js';
 import { columnsOf, heightOf, margin } from './places.js';
 import { isInitial } from './record.js';
@@ -124,9 +125,7 @@ function across({ anatomy, phase }, size) {
     ];
   }
   const { x, step } = columnsOf(size, columns);
-  const every =
-    [1, 2, 5, 10, 20, 50, 100, 200, 500].find((n) => n * step >= 20 + 6 * String(columns).length - 12) ??
-    1000;
+  const every = Math.max(1, roundStep((8 + 6 * String(columns).length) / step));
   const shown = Array.from({ length: columns }, (_, i) => i + 1).filter((n) => n === 1 || n % every === 0);
   const name =
     phase === 'survivors'

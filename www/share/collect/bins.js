@@ -1,4 +1,5 @@
 // Of the pictures of a class: how far their axes reach, and how many have which J.
+import { roundStep } from '../../kit/steps.js';
 
 /** Whether the aim is met, or that nobody can tell. @typedef {'met' | 'not' | 'unjudged'} Kind */
 /** @typedef {{ cost: number, gains: readonly number[], kind: Kind }} Point */
@@ -6,6 +7,7 @@
 /** @type {readonly Kind[]} */
 export const kinds = ['met', 'not', 'unjudged'];
 
+/** So many bins, at the most. */
 const most = 24;
 /** Between these shares of a class all is shown, and as far again on both sides. */
 const close = { from: 0.1, to: 0.9 };
@@ -20,13 +22,6 @@ export function reach(values) {
   return [near[0] ?? 0, near[near.length - 1] ?? 1];
 }
 
-/** A round width that gives at most so many bins. @param {number} width */
-function roundStep(width) {
-  const least = width / most || 0.1;
-  const power = 10 ** Math.floor(Math.log10(least));
-  return power * ([1, 2, 2.5, 5].find((factor) => factor * power >= least) ?? 10);
-}
-
 /**
  * How many of each kind are in each bin, from `first` on each `step` wide, and how many are worse than all of these. An aim is a
  * border between two bins, because whoever is on it does not meet it.
@@ -36,7 +31,7 @@ export function binsOf(points, aim) {
   const costs = points.map(({ cost }) => cost);
   const high = Math.max(reach(costs)[1], aim ?? Number.NEGATIVE_INFINITY);
   const low = costs.reduce((least, cost) => Math.min(least, cost), aim ?? high);
-  const step = roundStep(high - low);
+  const step = roundStep((high - low) / most || 0.1, [1, 2, 2.5, 5]);
   const zero = aim ?? 0;
   const binOf = (/** @type {number} */ cost) => Math.floor((cost - zero) / step);
   const firstBin = binOf(low);
