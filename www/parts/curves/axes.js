@@ -1,6 +1,6 @@
-// What plots against time share: the end of their axis, its ticks, and the samples.
+// What plots against time share: the end of their axis, its ticks and those of the other one, and the samples.
 /** @import { Run } from '../../core/engine.js' */
-/** @import { Scale } from '../../kit/chart.js' */
+/** @import { Axes, Scale } from '../../kit/chart.js' */
 import { drawNumbersBelow, sameDigits } from '../../kit/chart.js';
 import words from './words/index.js';
 
@@ -22,6 +22,9 @@ export function timeTicks(time) {
   const count = [6, 4].find((most) => time.ticks(most).length * 36 <= right - left) ?? 2;
   return time.ticks(count);
 }
+
+/** Of the other axis. @param {Pick<Axes, 'frame' | 'y'>} axes */
+export const ticksUp = ({ frame, y }) => y.ticks(Math.max(2, Math.floor((frame.bottom - frame.top) / 30)));
 
 /** @param {CanvasRenderingContext2D} context @param {Scale} time @param {number} bottom */
 export function drawTimeAxis(context, time, bottom) {

@@ -22,7 +22,7 @@ import {
 import { colour } from '../../kit/palette.js';
 import { rememberEach } from '../../kit/memo.js';
 import words from './words/index.js';
-import { drawTimeAxis, timeTicks } from './axes.js';
+import { drawTimeAxis, ticksUp, timeTicks } from './axes.js';
 import { curvesOf, extentsOf, layoutOf } from './layout.js';
 import { drawNames, parts, tokens } from './plot-names.js';
 import { createReady } from './ready.js';
@@ -94,9 +94,10 @@ const axesOf = ({ time }, { scale, frame }) => ({ x: time, y: scale, frame });
 /** @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Plot} plot @param {PlotsModel} model */
 function drawPlot(context, layout, plot, model) {
   const { frame, name } = plot;
-  const ticks = plot.scale.ticks(Math.max(2, Math.floor((frame.bottom - frame.top) / 30)));
+  const axes = axesOf(layout, plot);
+  const ticks = ticksUp(axes);
   const texts = sameDigits(ticks).map((text) => words.tickText(name, text));
-  drawGrid(context, axesOf(layout, plot), { x: timeTicks(layout.time), y: ticks }, texts);
+  drawGrid(context, axes, { x: timeTicks(layout.time), y: ticks }, texts);
   drawLimits(context, plot);
   within(context, frame, () => {
     if (name === 'cost') drawParts(context, layout, plot, model.driving);

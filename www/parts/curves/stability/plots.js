@@ -15,7 +15,7 @@ import {
   take,
   within,
 } from '../../../kit/chart.js';
-import { drawTimeAxis, timeTicks } from '../axes.js';
+import { drawTimeAxis, ticksUp, timeTicks } from '../axes.js';
 import { drawPinMark, linesOf } from '../plots.js';
 import { createReady } from '../ready.js';
 import { outlineOf } from '../../../kit/extent.js';
@@ -70,13 +70,7 @@ export const plotsOfStability = {
 /** @param {CanvasRenderingContext2D} context @param {Layout} layout @param {StabilityModel} model */
 function drawLyapunov(context, { lyapunov: axes, isLog }, model) {
   const { driving, law } = model;
-  const ticks = isLog ? decadesOf(axes) : ticksOf(axes);
-  drawGrid(
-    context,
-    axes,
-    { x: timeTicks(axes.x), y: ticks },
-    ticks.map((tick) => words.tickText(tick, isLog)),
-  );
+  drawTicks(context, axes, isLog);
   within(context, axes.frame, () => {
     drawLimited(context, axes, driving);
     for (const { run, token, dash, width, slot } of linesOf(model)) {
@@ -95,17 +89,18 @@ function drawLyapunov(context, { lyapunov: axes, isLog }, model) {
   drawName(context, axes, driving.lyapunov[driving.time.length - 1]);
 }
 
+/** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {boolean} isLog */
+function drawTicks(context, axes, isLog) {
+  const ticks = isLog ? decadesOf(axes) : ticksUp(axes);
+  const texts = ticks.map((tick) => words.tickText(tick, isLog));
+  drawGrid(context, axes, { x: timeTicks(axes.x), y: ticks }, texts);
+}
+
 /** @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Stability} driving */
 function drawRate(context, { rate: axes, isLog }, driving) {
   const { rate, promised, areas } = drawnOf(driving, isLog);
   const { frame, y: scale } = axes;
-  const ticks = ticksOf(axes);
-  drawGrid(
-    context,
-    axes,
-    { x: timeTicks(axes.x), y: ticks },
-    ticks.map((tick) => words.tickText(tick, false)),
-  );
+  drawTicks(context, axes, false);
   within(context, axes.frame, () => {
     for (const { token, from, to } of areas) {
       const outer = pointsOf(axes, driving.time, to);
@@ -160,10 +155,6 @@ function drawRises(context, { x: across, y: scale, frame }, driving) {
   for (let i = 0; i + 1 < time.length; i += 1)
     if (isRising(i)) context.fillRect(across(time[i]) - 1, frame.bottom - 7, 2, 7);
 }
-
-/** @param {Axes} axes */
-const ticksOf = ({ frame, y: scale }) =>
-  scale.ticks(Math.max(2, Math.floor((frame.bottom - frame.top) / 30)));
 
 /** Powers of ten, not too close; where there are hardly any, 1, 2 and 5 times each. @param {Axes} axes */
 function decadesOf({ frame, y: scale }) {
