@@ -13,6 +13,7 @@ import { steps } from './steps.js';
 import { titleOf } from '../lab/navigation.js';
 import { createStage, stageOf } from './stage.js';
 import { createTally } from './duel/tally.js';
+import { keepPlaceInTurning } from './turning.js';
 import './views/error-posture.css';
 import './style.css';
 import './formulas/formula.css';
@@ -53,6 +54,7 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
   const stepChanged = watch();
   const headChanged = watch();
   createLit();
+  keepPlaceInTurning(article);
   /** @type {Part[]} */
   let blocks = [];
   followHead(/** @type {HTMLElement} */ (document.querySelector('.masthead')));

@@ -94,3 +94,32 @@ engineTest(
     );
   },
 );
+
+engineTest('who turns it goes on reading where they were', async (page) => {
+  await page.resize(500, 640);
+  await page.open('#lesson&step=4');
+  /** Once nothing moves: the first piece of the words that is in sight, and how far the page is scrolled. */
+  const reading = () =>
+    page.evaluate(async () => {
+      for (let i = 0; i < 12; i += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
+      const lesson = /** @type {Element} */ (document.getElementById('lesson'));
+      const { left, width } = lesson.getBoundingClientRect();
+      const seen = Array.from({ length: innerHeight / 12 }, (_, i) =>
+        document.elementFromPoint(left + width / 2, 12 * i)?.closest('#lesson :is(p, li, button)'),
+      );
+      return { first: seen.find((one) => one)?.textContent ?? '', scrolled: scrollY };
+    });
+  await page.evaluate(() => scrollTo({ top: 2000, behavior: 'instant' }));
+  const before = await reading();
+  assert.equal(before.scrolled, 2000);
+  await page.resize(740, 360);
+  await page.until('it is held sideways', () => matchMedia('(max-height: 480px)').matches);
+  const turned = await reading();
+  assert.equal(turned.first, before.first);
+  assert.notEqual(turned.scrolled, 2000, 'there it stands elsewhere');
+  await page.resize(500, 640);
+  await page.until('it is held upright', () => matchMedia('(min-height: 600px)').matches);
+  const after = await reading();
+  assert.equal(after.first, before.first);
+  assert.ok(Math.abs(after.scrolled - 2000) < 40, `${after.scrolled}`);
+});
