@@ -24,8 +24,8 @@ for (let seed = first; seed < first + rounds; seed++)
         done.push(...(await run(`(${monkey})(...arguments)`, 1000 * seed + part, actions / 10, links)));
         assert.deepEqual(await run('window.collectedProblems'), [], `after\n${done.join('\n')}`);
       }
-      // A task may say whatever somebody has typed.
-      await run(`document.getElementById('task')?.replaceChildren()`);
+      // A task may say whatever somebody has typed, and a program has its own words.
+      await run(`document.querySelectorAll('#task, #code-text').forEach((one) => one.replaceChildren())`);
       const { text, works } = await run(`({
         text: document.body.innerText,
         works: !document.getElementById('instead')?.checkVisibility(),
