@@ -1,6 +1,6 @@
 // What Tab comes to in a formula, and every table, says what it is.
 import assert from 'node:assert/strict';
-import { pageTest } from '../harness/browsers.js';
+import { Key, pageTest } from '../harness/browsers.js';
 import { counted, slide } from '../parts/parking.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -20,7 +20,7 @@ const namesOf = (page, selector) =>
     selector,
   );
 
-pageTest('a term of a formula that Tab comes to has a name and a role', async (page) => {
+pageTest('a term of a formula that arrows come to has a name and a role', async (page) => {
   /** @type {Record<string, string[]>} */
   const terms = {
     law: ['kx', 'ky', 'kθ', 'ky', 'kx'],
@@ -28,8 +28,14 @@ pageTest('a term of a formula that Tab comes to has a name and a role', async (p
   };
   for (const [step, names] of Object.entries(terms)) {
     await page.open(`#lesson&step=${step}`);
-    assert.deepEqual(await namesOf(page, '#lesson mrow[tabindex][role="group"]'), names, step);
-    assert.deepEqual(await namesOf(page, '#lesson mrow[tabindex]:not([role])'), [], step);
+    assert.deepEqual(await namesOf(page, '#lesson mrow[data-term][role="group"]'), names, step);
+    await page.focus('#lesson .formula-lines:not(.formula-now)');
+    await page.press(...Array(4).fill(Key.ARROW_RIGHT));
+    const reached = '#lesson .formula [data-term][tabindex="-1"]';
+    const found = await namesOf(page, reached);
+    assert.equal(found.length, 4, step);
+    assert.ok(!found.includes(''), `${step}: ${found}`);
+    assert.deepEqual(await namesOf(page, `${reached}:not([role])`), [], step);
   }
 });
 

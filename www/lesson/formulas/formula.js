@@ -21,6 +21,11 @@ function scroller(className, lines, leaf) {
     if (right === 0 || isChord(event) || !next) return;
     event.preventDefault();
     next.setAttribute('tabindex', '-1');
+    // A term has its name; a symbol is called by its letters.
+    if (!next.hasAttribute('aria-label')) {
+      next.setAttribute('role', 'math');
+      next.setAttribute('aria-label', next.textContent ?? '');
+    }
     next.focus();
   });
   return element;

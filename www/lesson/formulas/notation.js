@@ -8,7 +8,8 @@
 // *                   a product: a dot between numbers, nothing between symbols
 // { … }               what stands together as one
 // [kx: … ]            a term, which lights up as one
-import { dotted, isSymbol, mathml, sub } from './symbols.js';
+import { lab } from '../../words/index.js';
+import { dotted, isSymbol, mathml, sub, symbol } from './symbols.js';
 
 /** @import { Live } from '../page.js' */
 /** @import { SymbolName } from './symbols.js' */
@@ -41,10 +42,18 @@ function plain(text) {
 /** @param {Element[]} pieces */
 const row = (...pieces) => mathml('mrow', ...pieces);
 
+/** A part of J has a word, all else its letters. @param {string} name */
+const nameOf = (name) =>
+  lab.costParts.find(([part]) => part === name)?.[1] ??
+  symbol(/** @type {SymbolName} */ (name)).textContent ??
+  name;
+
 /** What stands for one thing and lights up as one. @param {string} name @param {Element[]} pieces */
 function term(name, pieces) {
   const group = row(...pieces);
   group.setAttribute('data-term', name);
+  group.setAttribute('role', 'group');
+  group.setAttribute('aria-label', nameOf(name));
   if (partsOfCost.includes(name)) group.setAttribute('class', `part-${name}`);
   return group;
 }
