@@ -1,9 +1,9 @@
 // Round numbers at even distances: on axes, between bins, from dot to dot.
 
-/** What sums of decimals miss the number that they mean by, at the most. */
+/** What rounding may be wrong by, as a share of a step. */
 const slip = 1e-9;
 
-/** The least that is one of these factors times a power of ten. @param {number} least @param {readonly number[]} [factors] */
+/** The least number that is one of these factors times a power of ten, and not below `least`. @param {number} least @param {readonly number[]} [factors] */
 export function roundStep(least, factors = [1, 2, 5]) {
   const power = 10 ** Math.floor(Math.log10(least) + slip);
   return power * (factors.find((factor) => factor * power >= least * (1 - slip)) ?? 10);

@@ -64,7 +64,7 @@ function emptiest(all, places) {
     if (met < best.met || passed < best.passed) best = { place, met, passed };
     if (met + passed === 0) break;
   }
-  return best;
+  return best.place;
 }
 
 /** How large a text of the legend is that is no wider than `most`, in two lines if it must: its own at the right, and at the left below each other. @param {string} text @param {number} most @param {boolean} atLeft @param {string} [font] */
@@ -89,7 +89,7 @@ export const legendRooms = (texts) =>
     return { left: edge.left, right: edge.left + width, top, bottom: top + line };
   });
 
-/** Where the name of the dotted run stands: below on the right or on the left, under the first name, or else between; nowhere if it would lie on the drive in ink. @param {Standing} all @param {string} first @param {string} text */
+/** Where the name of the dotted run stands: below on the right or on the left, under the first name, or else between; nowhere if everywhere it would lie on the drive in ink, on start, goal or a robot. @param {Standing} all @param {string} first @param {string} text */
 export function placeOfName(all, first, text) {
   const { width, height } = all.view;
   const free = width - edge.left - edge.right;
@@ -106,15 +106,19 @@ export function placeOfName(all, first, text) {
     { length: Math.max(0, Math.floor((height - top - edge.bottom) / line) - 2) },
     (_, i) => i + 1,
   );
-  const { place: best, met } = emptiest(all, [
+  const places = [
     place('right', 0),
     place('left', 0),
     place('left', 'above'),
     place('right', 'above'),
     ...heights.flatMap((i) => [place('right', i * line), place('left', i * line)]),
-  ]);
-  const isFree = met === 0 && passing({ ...all, runs: all.runs.slice(0, 1) }, best.room) === 0;
-  return isFree ? best : { ...best, corner: 'none' };
+  ];
+  const things = standing(all);
+  const inInk = { ...all, runs: all.runs.slice(0, 1) };
+  const empty = places.filter(
+    ({ room }) => passing(inInk, room) === 0 && !things.some((thing) => meet(thing, room)),
+  );
+  return empty.length > 0 ? emptiest(all, empty) : { ...places[0], corner: 'none' };
 }
 
 /** Where the postures stand: below, or under the legend of so many lines, on the right or on the left. @param {Standing} all @param {number} lines @returns {{ side: 'left' | 'right', under: number | null }} */
@@ -137,5 +141,5 @@ export function placeOfPostures(all, lines) {
       },
     })),
   );
-  return emptiest(all, places).place;
+  return emptiest(all, places);
 }

@@ -4,7 +4,7 @@
 const pieces = 'p, li, h2, h3, tr, button, .formula';
 /** Of a line of words. */
 const halfHeight = 12;
-/** So many frames after the last in which something scrolled. */
+/** So many frames after the last in which something scrolled, or the window had another size. */
 const rest = 6;
 
 /** @param {HTMLElement} article */
@@ -15,7 +15,6 @@ export function keepPlaceInTurning(article) {
   let isTurning = false;
   /** Frames until the place is noted. */
   let left = 0;
-  let turn = 0;
 
   /** Where in the window words are seen first: the head of the page or the figure may lie over them. */
   function topOfWords() {
@@ -38,6 +37,9 @@ export function keepPlaceInTurning(article) {
   }
 
   function goBack() {
+    // Under a sheet nothing is found.
+    const sheet = document.querySelector('dialog[open]');
+    if (sheet) return sheet.addEventListener('close', goBack, { once: true });
     isTurning = false;
     // Only after the first time the head is where it will be.
     for (let time = 0; time < 2; time += 1) {
@@ -50,26 +52,22 @@ export function keepPlaceInTurning(article) {
 
   function wait() {
     left -= 1;
-    if (isTurning) left = 0;
-    else if (left === 0) note();
-    else requestAnimationFrame(wait);
+    if (left > 0) requestAnimationFrame(wait);
+    else if (isTurning) goBack();
+    else note();
   }
-
-  const onScroll = () => {
-    // A browser that lays the page out anew scrolls by itself.
-    if (isTurning) return;
+  const begin = () => {
     if (left === 0) requestAnimationFrame(wait);
     left = rest;
   };
-  addEventListener('scroll', onScroll, { passive: true });
+
+  // A browser that lays the page out anew scrolls by itself.
+  addEventListener('scroll', () => isTurning || begin(), { passive: true });
   addEventListener('resize', () => {
     // The height alone changes when a bar of the browser comes or goes.
-    if (innerWidth === width) return;
+    if (innerWidth === width && !isTurning) return;
     width = innerWidth;
     isTurning = true;
-    cancelAnimationFrame(turn);
-    turn = requestAnimationFrame(() => {
-      turn = requestAnimationFrame(goBack);
-    });
+    begin();
   });
 }

@@ -193,7 +193,7 @@ engineTest(
     }
     assert.deepEqual(
       terms.map(({ term }) => term),
-      ['v', 'kx', 'kx', 'xe'],
+      ['v', 'kx', 'ky', 'w'],
     );
     await page.press(Key.LEFT);
     assert.deepEqual(await focused(), terms[2]);
@@ -204,5 +204,8 @@ engineTest(
       true,
       'Tab leaves the formula',
     );
+    // What is pressed is lit, also once the press has moved the focus.
+    await page.click('.formula-lines:not(.formula-now) mrow[data-term="kt"]');
+    assert.equal((await focused()).slider, 'ktheta');
   },
 );

@@ -30,12 +30,11 @@ pageTest('a term of a formula that arrows come to has a name and a role', async 
     await page.open(`#lesson&step=${step}`);
     assert.deepEqual(await namesOf(page, '#lesson mrow[data-term][role="group"]'), names, step);
     await page.focus('#lesson .formula-lines:not(.formula-now)');
-    await page.press(...Array(4).fill(Key.ARROW_RIGHT));
-    const reached = '#lesson .formula [data-term][tabindex="-1"]';
-    const found = await namesOf(page, reached);
-    assert.equal(found.length, 4, step);
-    assert.ok(!found.includes(''), `${step}: ${found}`);
-    assert.deepEqual(await namesOf(page, `${reached}:not([role])`), [], step);
+    for (let press = 0; press < 4; press += 1) {
+      await page.press(Key.ARROW_RIGHT);
+      const found = await namesOf(page, '#lesson .formula [data-term][role]:focus');
+      assert.ok(found.length === 1 && found[0] !== '', `${step}: ${found}`);
+    }
   }
 });
 

@@ -117,8 +117,12 @@ engineTest('who turns it goes on reading where they were', async (page) => {
   const turned = await reading();
   assert.equal(turned.first, before.first);
   assert.notEqual(turned.scrolled, 2000, 'there it stands elsewhere');
+  // A sheet that was opened meanwhile lies over the words.
+  await page.evaluate(() => document.getElementById('keep-button')?.click());
+  await page.until('the sheet is open', () => document.querySelector('dialog[open]'));
   await page.resize(500, 640);
   await page.until('it is held upright', () => matchMedia('(min-height: 600px)').matches);
+  await page.click('#keep-close');
   const after = await reading();
   assert.equal(after.first, before.first);
   assert.ok(Math.abs(after.scrolled - 2000) < 40, `${after.scrolled}`);

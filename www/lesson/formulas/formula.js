@@ -12,21 +12,29 @@ import { isSymbol, mathml, symbol } from './symbols.js';
 function scroller(className, lines, leaf) {
   const math = mathml('math', mathml('mtable', ...lines.map((text) => lineOf(text, leaf))));
   math.setAttribute('display', 'block');
+  const all = [.../** @type {NodeListOf<MathMLElement>} */ (math.querySelectorAll('[data-term]'))];
+  // The symbols of a term light up with it.
+  const terms = all.filter((one) => !one.parentElement?.closest('[data-term]'));
+  for (const term of terms) term.setAttribute('tabindex', '-1');
   const attributes = { class: className, tabindex: 0, role: 'group', 'aria-label': words.formula };
   const element = create('div', attributes, math);
   element.addEventListener('keydown', (event) => {
     const [right] = arrowOf(event.key) ?? [0];
-    const terms = [.../** @type {NodeListOf<MathMLElement>} */ (math.querySelectorAll('[data-term]'))];
     const next = terms[terms.findIndex((term) => term.matches(':focus')) + right];
     if (right === 0 || isChord(event) || !next) return;
     event.preventDefault();
-    next.setAttribute('tabindex', '-1');
-    // A term has its name; a symbol is called by its letters.
-    if (!next.hasAttribute('aria-label')) {
+    // A term has its name; a symbol is called by its letters, or by the number in its place.
+    if (next.getAttribute('role') !== 'group') {
       next.setAttribute('role', 'math');
       next.setAttribute('aria-label', next.textContent ?? '');
     }
     next.focus();
+  });
+  element.addEventListener('focusin', ({ target }) => {
+    element.tabIndex = target === element ? 0 : -1;
+  });
+  element.addEventListener('focusout', () => {
+    element.tabIndex = 0;
   });
   return element;
 }

@@ -68,14 +68,21 @@ export function createContestRequests(engine, store) {
     }
   }
 
+  /** What was done stays. */
+  function cancel() {
+    newest.abort();
+    const { contest } = luck();
+    update({ contestRuns: false, contest: contest && { ...contest, cancelled: true } });
+  }
+
   return {
     async run() {
-      newest.abort();
+      if (luck().contestRuns) cancel();
       const { experiment } = store.get();
       const { others, seeds, budget } = luck();
       const names = [null, ...others];
       const contestMessage = refusalOf(experiment, { seeds, budget }, names.length);
-      if (contestMessage) return update({ contestMessage, contestRuns: false });
+      if (contestMessage) return update({ contestMessage });
       newest = new AbortController();
       const { signal } = newest;
       const lines = names.map((name) => ({ name, trials: [], error: '' }));
@@ -97,11 +104,6 @@ export function createContestRequests(engine, store) {
       if (contestRuns || !isWhole(contest, store.get().experiment, luck())) this.run();
     },
 
-    /** What was done stays. */
-    cancel() {
-      newest.abort();
-      const { contest } = luck();
-      update({ contestRuns: false, contest: contest && { ...contest, cancelled: true } });
-    },
+    cancel,
   };
 }

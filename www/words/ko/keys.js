@@ -20,7 +20,7 @@ export const single = [
 
 /** Keys of what has the focus. @type {readonly (readonly [keys: string, meaning: string])[]} */
 export const focused = [
-  ['← → ↑ ↓', '선택한 것을 움직임: 슬라이더, 출발, 목표, 지도의 커서. 식에서는 다음 항으로'],
+  ['← → ↑ ↓', '선택한 것을 움직임: 슬라이더, 출발, 목표, 지도의 커서. 식에서는 항에서 항으로'],
   ['Shift + 화살표', '출발이나 목표를 5°씩 돌리거나, 지도의 커서를 크게 옮김'],
   ['Alt + 화살표', '출발이나 목표를 조금씩 옮기거나 돌림'],
   ['Enter', '버튼 누르기. 지도에서는 커서가 가리키는 값으로 주행'],
