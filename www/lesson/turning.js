@@ -13,7 +13,7 @@ export function keepPlaceInTurning(article) {
   let place = null;
   let width = innerWidth;
   let isTurning = false;
-  /** Frames until the place is noted. */
+  /** Frames until the place is noted, or gone back to. */
   let left = 0;
 
   /** Where in the window words are seen first: the head of the page or the figure may lie over them. */
