@@ -66,6 +66,23 @@ function misplaced([picture, control]) {
   return problems;
 }
 
+pageTest('the colours of an embedded map have their scale where it has room', async (page) => {
+  for (const [width, height, hasScale] of /** @type {const} */ ([
+    [640, 420, true],
+    [560, 400, false],
+  ]))
+    await inHost(page, frameOf(page, 'landscape&v=1', width, height), () =>
+      within(page, 0, async () => {
+        const isInSight = () =>
+          page.evaluate(() => {
+            const legend = document.querySelector('.map-legend');
+            return legend?.checkVisibility() && legend.getBoundingClientRect().bottom <= innerHeight;
+          });
+        assert.equal(await isInSight(), hasScale, `${width} × ${height}`);
+      }),
+    );
+});
+
 /** What has most controls is tightest: in every engine. */
 const tightest = ['generation'];
 

@@ -89,12 +89,18 @@ test('run/ knows no document', () => {
   }
 });
 
+/** The style sheets, each with its text. */
+const sheets = readdirSync(www, { recursive: true, encoding: 'utf8' })
+  .filter((name) => name.endsWith('.css'))
+  .map((name) => ({ name, text: readFileSync(join(www, name), 'utf8') }));
+
 test('what size a screen has is asked by name', () => {
-  const sheets = readdirSync(www, { recursive: true, encoding: 'utf8' }).filter((name) =>
-    name.endsWith('.css'),
-  );
-  const asking = sheets.filter((name) =>
-    /@media[^{]*(width|height)/.test(readFileSync(join(www, name), 'utf8')),
-  );
+  const asking = sheets.filter(({ text }) => /@media[^{]*(width|height)/.test(text));
   assert.deepEqual(asking, []);
+});
+
+test('what lights up under a pointer does so only for one that hovers: a finger that has left lights nothing', () => {
+  const within = /@media \(hover: hover\) \{\n( *)[\s\S]*?\n(?!\1)/g;
+  const lasting = sheets.filter(({ text }) => text.replace(within, '').includes(':hover'));
+  assert.deepEqual(lasting, []);
 });

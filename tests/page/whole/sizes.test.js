@@ -215,11 +215,11 @@ async function untilGeneration(page) {
   await page.until('its field', () => document.getElementById('until-value')?.checkVisibility());
 }
 
-pageTest('for a finger every text button is as high as other controls', async (page) => {
+pageTest('for a finger text buttons are high enough, and choices large enough', async (page) => {
   await page.resize(390, 844);
   for (const link of ['lab', 'lab&v=1&goal.x=1.5&lang=ko', 'generation&v=1&phase=ranking&generation=2']) {
     await page.open(`#${link}`);
-    const heights = await page.evaluate(() => {
+    const { sizes, hasKeys } = await page.evaluate(() => {
       /** The styles for a finger hold here too. @param {CSSRuleList} rules */
       const apply = (rules) => {
         for (const rule of rules) {
@@ -229,13 +229,21 @@ pageTest('for a finger every text button is as high as other controls', async (p
         }
       };
       for (const sheet of document.styleSheets) apply(sheet.cssRules);
-      return Array.from(document.querySelectorAll('.link'), (button) => [
-        button.id || button.textContent,
-        button.checkVisibility() ? button.getBoundingClientRect().height : 44,
-      ]);
+      const shown = [...document.querySelectorAll('.link, .segmented.small input')].filter((one) =>
+        one.checkVisibility(),
+      );
+      return {
+        sizes: shown.map((one) => {
+          const { width, height } = one.getBoundingClientRect();
+          const least = one.matches('input') ? Math.min(width, height) : height;
+          return /** @type {const} */ ([one.id || one.textContent || one.outerHTML, least]);
+        }),
+        hasKeys: document.getElementById('keys-button')?.checkVisibility(),
+      };
     });
-    assert.ok(heights.length > 0);
-    for (const [name, height] of heights) assert.ok(Number(height) >= 44, `${name}: ${height} px in ${link}`);
+    assert.ok(sizes.length > 0);
+    for (const [name, size] of sizes) assert.ok(size >= 44, `${name}: ${size} px in ${link}`);
+    assert.equal(hasKeys, false, 'a telephone has no keys');
   }
 });
 
