@@ -1,4 +1,4 @@
-// On a tablet held sideways the words of a step stand beside its figure, in which all that one presses or reads is in sight.
+// On a tablet held sideways the words of a step stand beside its figure, in which all that one presses or reads is in sight; held upright, below it.
 import assert from 'node:assert/strict';
 import { pageTest } from '../harness/browsers.js';
 import { endSurrounding, follow, surround } from '../whole/surround.js';
@@ -96,5 +96,37 @@ pageTest(
       await endSurrounding(page);
     }
     assert.deepEqual(found, {});
+  },
+);
+
+pageTest(
+  'held upright its map is high, and each drive of a generation as large as its row lets it be',
+  async (page) => {
+    await page.resize(768, 1024);
+    await page.open('#lesson&step=10');
+    const shown = await page.until('the map', () => {
+      const [map, plane, run] = ['#landscape-map', '#plane', '#run'].map((one) =>
+        document.querySelector(one)?.getBoundingClientRect(),
+      );
+      const sight = document.querySelector('.figure')?.getBoundingClientRect();
+      return (
+        map &&
+        plane &&
+        run &&
+        sight &&
+        map.height > 0 && {
+          map: map.height,
+          isBeside: plane.right <= map.left,
+          isWhole: run.bottom <= sight.bottom,
+        }
+      );
+    });
+    assert.ok(shown.map >= 280 && shown.isBeside && shown.isWhole, JSON.stringify(shown));
+    await page.open('#lesson&step=7');
+    const drive = await page.until('the drives', () => {
+      const { width = 0, height = 0 } = document.querySelector('.newborn li')?.getBoundingClientRect() ?? {};
+      return width > 0 && { width, height };
+    });
+    assert.ok(drive.width > 90 && drive.height > 90, JSON.stringify(drive));
   },
 );
