@@ -49,6 +49,18 @@ pageTest('what hands an exercise out is in sight on a laptop, whatever its line 
   }
 });
 
+pageTest('on a tablet held upright it is in sight with what is typed', async (page) => {
+  await page.resize(820, 1100);
+  await openMaker(page);
+  const { task, foot } = await page.evaluate(() => {
+    const boxOf = (/** @type {string} */ one) =>
+      /** @type {Element} */ (document.querySelector(one)).getBoundingClientRect();
+    const [task, copy] = ['#maker-task', '#maker-copy-frame'].map(boxOf);
+    return { task: task.bottom, foot: { top: copy.top, bottom: copy.bottom } };
+  });
+  assert.ok(task < foot.top && foot.bottom <= 1100, JSON.stringify({ task, foot }));
+});
+
 pageTest('where many seeds could be tried within a budget of drives, it is told', async (page) => {
   const isTold = () => page.evaluate(() => document.getElementById('maker-seeds')?.innerText ?? '');
   await openMaker(page, '#lab&v=1&aim=J%3C7');
