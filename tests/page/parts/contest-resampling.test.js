@@ -1,6 +1,13 @@
 // What other seeds might have said, against brute force.
 import assert from 'node:assert/strict';
-import { draws, runningTimeInterval, someOf, toldApart } from '../../../www/parts/luck/contest-resampling.js';
+import {
+  draws,
+  factorOf,
+  intervalOf,
+  resampledTimes,
+  someOf,
+  toldApart,
+} from '../../../www/parts/luck/contest-resampling.js';
 import {
   compareEnds,
   expectedRunningTime,
@@ -8,6 +15,9 @@ import {
   shareOfTargets,
 } from '../../../www/parts/luck/contest-statistics.js';
 import { test } from '../harness/once.js';
+
+/** @param {readonly number[]} runtimes @param {number} budget */
+const runningTimeInterval = (runtimes, budget) => intervalOf(resampledTimes(runtimes, budget));
 
 test('the interval is that of every sample one can draw, where these can be counted', () => {
   const runtimes = [10, 40, 100, Infinity];
@@ -30,6 +40,18 @@ test('what is certain has no interval, and what was never reached none that ends
   assert.deepEqual(runningTimeInterval([7, 7, 7], 100), [7, 7]);
   assert.deepEqual(runningTimeInterval([Infinity, Infinity], 100), [Infinity, Infinity]);
   assert.equal(runningTimeInterval([5, Infinity, Infinity, Infinity], 100)[1], Infinity);
+});
+
+test('a factor is told where seed by seed it is sure, and not where it may be none or has no end', () => {
+  const slow = Array.from({ length: 20 }, (_, i) => 100 + ((37 * i) % 90));
+  const halves = slow.map((time) => time / 2);
+  const [more, fewer] = [slow, halves].map((runtimes) => resampledTimes(runtimes, 1000));
+  // With the same seeds the one takes twice as long as the other, whichever are drawn.
+  assert.deepEqual(factorOf(more, fewer, 2), { times: 2, between: [2, 2] });
+  const others = resampledTimes([...slow].reverse(), 1000);
+  assert.equal(factorOf(more, others, 1.01), null);
+  const rare = resampledTimes([150, ...slow.slice(1).fill(Infinity)], 1000);
+  assert.equal(factorOf(rare, fewer, 100), null);
 });
 
 test('the first draw is of the first seeds; in others each seed is as often, and none twice', () => {

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import {
   compareEnds,
   costAt,
+  exactTest,
   expectedRunningTime,
   holm,
   rankSums,
@@ -105,6 +106,28 @@ test('the normal tails are those of the tables, near and far', () => {
     [6, 1.973175290075389e-9],
   ])
     assert.ok(Math.abs(twoSided(z) / p - 1) < 1e-12, `${z}: ${twoSided(z)}`);
+});
+
+test('Fisher’s p is the share of all ways to deal out who gets there that are no likelier', () => {
+  const near = (/** @type {number} */ found, /** @type {number} */ expected) =>
+    assert.ok(Math.abs(found - expected) < 1e-9, `${found} is not ${expected}`);
+  const [count, otherCount] = [5, 6];
+  for (let reached = 0; reached <= count; reached += 1)
+    for (let others = 0; others <= otherCount; others += 1) {
+      // Of all sets of eleven runs with so many there: how many of them are among the first five.
+      const ways = new Array(count + 1).fill(0);
+      for (let set = 0; set < 2 ** (count + otherCount); set += 1) {
+        const bits = [...set.toString(2)].filter((bit) => bit === '1').length;
+        const first = [...(set % 2 ** count).toString(2)].filter((bit) => bit === '1').length;
+        if (bits === reached + others) ways[first] += 1;
+      }
+      const all = ways.reduce((sum, one) => sum + one, 0);
+      const likely = ways.filter((one) => one <= ways[reached]).reduce((sum, one) => sum + one, 0);
+      near(exactTest(reached, count, others, otherCount), likely / all);
+    }
+  // SciPy 1.17.1, fisher_exact.
+  near(exactTest(1, 10, 11, 14), 0.0027594561852200836);
+  near(exactTest(3, 4, 1, 4), 0.48571428571428565);
 });
 
 test('Holm multiplies the least p most, and never turns the order', () => {

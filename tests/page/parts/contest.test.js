@@ -5,6 +5,7 @@ import { mostRobotsOfCall } from '../../../www/core/bounds.js';
 import { partsOf } from '../../../www/parts/luck/contest-asked.js';
 import { createContestRequests } from '../../../www/parts/luck/contest-request.js';
 import { contestants, entered, ingredientNames } from '../../../www/parts/luck/contestants.js';
+import { pairsText } from '../../../www/parts/luck/words/common.js';
 import * as en from '../../../www/parts/luck/words/contest-en.js';
 import * as ko from '../../../www/parts/luck/words/contest-ko.js';
 import { contestCsv, standingsOf } from '../../../www/parts/luck/contest-summary.js';
@@ -108,6 +109,8 @@ test('verdicts say what the ranks say', () => {
     lines: [small.lines[0], { ...small.lines[0], name: /** @type {const} */ ('mirror') }],
   };
   assert.deepEqual(standingsOf(twice).lines[1].verdict, { kind: 'same', runs: 15 });
+  // The first robots are the same whatever comes of them.
+  assert.deepEqual(standingsOf(small, { until: 15 }).lines[2].verdict, { kind: 'same', runs: 15 });
   // A target that everybody meets at the first drive tells nobody apart.
   const easy = standingsOf(small, { target: 1e9 });
   for (const line of easy.lines.slice(1)) assert.equal(line.verdict?.kind, 'undecided');
@@ -155,22 +158,30 @@ test('at every target and budget a verdict follows from p, A12 and the expected 
       for (const only of [6, 10, 15]) {
         const { lines } = standingsOf(small, { target: 7.71 + 0.02 * i, until, only });
         for (const { verdict, comparison, ert, reached, count, interval } of lines.slice(1)) {
-          const { a12, p } = comparison ?? { a12: 0.5, p: 1 };
+          const { a12, p, share } = comparison ?? { a12: 0.5, p: 1, share: 1 };
           nearly += Number(p >= 0.05 && p < 0.1);
           const isSooner = ert < lines[0].ert;
-          const fewer = lines[0].reached / lines[0].count - reached / count;
-          // A factor is told only where its interval ends.
-          const sooner = lines[0].interval[1] < Infinity ? 'sooner' : 'mostly';
-          const later = interval[1] < Infinity ? 'later' : 'hardly';
+          const more = share < 0.05 ? Math.sign(reached - lines[0].reached) : 0;
+          const factors = only < 15 ? [] : [isSooner ? 'sooner' : 'later'];
+          const ahead = isSooner
+            ? ['better', ...factors, ...(more > 0 ? ['mostly', 'only-this'] : [])]
+            : ['better', ...(more < 0 ? ['riskier'] : [])];
+          const behind = isSooner
+            ? ['worse', ...(more > 0 ? ['surer'] : [])]
+            : ['worse', ...factors, ...(more < 0 ? ['hardly', 'only-first'] : [])];
           const expected =
-            p >= 0.05
-              ? ['undecided']
-              : reached === 0 || lines[0].reached === 0
-                ? ['only-this', 'only-first', 'better', 'worse']
-                : a12 > 0.5
-                  ? [isSooner ? sooner : fewer > 0 ? 'riskier' : 'better']
-                  : [isSooner ? (fewer < 0 ? 'surer' : 'worse') : later];
+            p >= 0.05 ? [['seldomer', 'undecided', 'oftener'][1 + more]] : a12 > 0.5 ? ahead : behind;
           assert.ok(verdict && expected.includes(verdict.kind), `${verdict?.kind}: ${a12} ${p} ${ert}`);
+          assert.equal(interval === null, count < 15);
+          if (verdict.kind === 'undecided') {
+            const isAlone = comparison !== null && comparison.alone < 0.05;
+            assert.equal(verdict.alone, isAlone ? comparison.alone : null);
+            assert.equal(
+              /alone p would be 0\.0\d\d, but it is one of 3/.test(en.verdictText(verdict, 'de')),
+              isAlone,
+            );
+            assert.equal(/p는 0\.0\d\d, 여기서는 비교 3개/.test(ko.verdictText(verdict, 'de')), isAlone);
+          }
           kinds.add(verdict.kind);
         }
       }
@@ -203,18 +214,23 @@ test('what is behind in most pairs and yet cheaper in the mean is said to be sur
       },
       { target: 2 },
     ).lines[1].verdict;
+  // Where pairs are even it may be no chance that one fails less often.
+  const often = seeds.map((seed) => run(seed, 80 + ((37 * seed) % 100)));
+  const failing = seeds.map((seed) => run(seed, seed % 4 === 0 ? 1000 : 50 + ((53 * seed) % 100)));
+  assert.equal(verdictOf(failing, often), 'oftener');
+  assert.equal(verdictOf(often, failing), 'seldomer');
   assert.equal(verdictOf(fast, sure), 'surer');
   assert.equal(verdictOf(sure, fast), 'riskier');
   // Most pairs may be decided by J alone, and then no time is told.
   const worse = seeds.map((seed) => ({ ...run(seed, 1000), costs: Float64Array.of(9, 8.5) }));
-  const rare = [...worse.slice(0, 48), run(49, 20), run(50, 30)];
+  const rare = [...worse.slice(0, 42), ...seeds.slice(42).map((seed) => run(seed, seed - 20))];
   const never = seeds.map((seed) => run(seed, seed === 50 ? 500 : 1000));
   for (const [a, b, kind] of /** @type {const} */ ([
     [never, rare, 'surer'],
     [rare, never, 'riskier'],
   ])) {
     const verdict = toldOf(a, b);
-    assert.ok(verdict?.kind === kind && verdict.times === null, JSON.stringify(verdict));
+    assert.ok(verdict?.kind === kind && verdict.factor === null, JSON.stringify(verdict));
     for (const words of [en, ko]) {
       const said = words.verdictText(verdict, 'de');
       assert.doesNotMatch(said, /later|sooner|times|배|늦|빠르|null/, said);
@@ -228,6 +244,23 @@ test('what is behind in most pairs and yet cheaper in the mean is said to be sur
   assert.equal(verdictOf(sure, sure), 'same');
   const apart = sure.map((trial) => ({ ...trial, seed: trial.seed + 50 }));
   assert.equal(verdictOf(sure, apart), 'undecided');
+});
+
+test('what is not all is never told as all, nor what is not none as none', () => {
+  for (const [part, whole, pairs] of /** @type {const} */ ([
+    [0, '0', '0.00'],
+    [0.0038, '<1', '<0.01'],
+    [0.006, '1', '0.01'],
+    [0.5, '50', '0.50'],
+    [0.994, '99', '0.99'],
+    [0.9962, '>99', '>0.99'],
+    [1, '100', '1.00'],
+  ])) {
+    assert.equal(pairsText(part), pairs);
+    const said = en.verdictText({ kind: 'better', a12: part }, 'de');
+    assert.match(said, new RegExp(`^In ${whole} % of all pairs`));
+    assert.match(ko.verdictText({ kind: 'better', a12: part }, 'de'), new RegExp(` ${whole}%에서`));
+  }
 });
 
 test('the CSV has a row for each improvement', () => {

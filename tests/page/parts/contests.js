@@ -34,7 +34,7 @@ export const expectedTable = (contest, target) =>
         `${reached} of ${count}`,
         ert === Infinity
           ? '∞'
-          : `${Math.round(ert)} ${interval.map((end) => (end === Infinity ? '∞' : Math.round(end))).join('–')}`,
+          : `${Math.round(ert)} ${(interval ?? []).map((end) => (end === Infinity ? '∞' : Math.round(end))).join('–')}`,
         median.toFixed(4),
         comparison?.a12.toFixed(2) ?? '',
         comparison ? (comparison.p < 0.001 ? '< 0.001' : comparison.p.toFixed(3)) : '',

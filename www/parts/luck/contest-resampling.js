@@ -4,7 +4,7 @@
 // Bootstrap: B. Efron, R. J. Tibshirani, “An Introduction to the Bootstrap”, 1993, chapter 13 (percentile interval).
 /** @import { End } from './contest-statistics.js' */
 import { spread } from '../../kit/hash.js';
-import { compareEnds, expectedRunningTime, holm, rankSums } from './contest-statistics.js';
+import { compareEnds, exactTest, expectedRunningTime, holm, rankSums } from './contest-statistics.js';
 
 const resamples = 1000;
 const sure = 0.95;
@@ -12,6 +12,8 @@ const sure = 0.95;
 export const draws = 100;
 /** What can be told is less probable by chance. */
 export const level = 0.05;
+/** Of fewer runs no interval is told: it would hold far less often than it says. */
+export const leastRuns = 15;
 
 /** Numbers from 0 to 1 that look random: the finaliser of MurmurHash3 on a counter. @param {number} seed */
 function numbers(seed) {
@@ -23,18 +25,32 @@ function numbers(seed) {
 }
 
 /**
- * The 95 % confidence interval of the expected running time (percentile bootstrap): between which values it lies in 95 of 100 sets of
- * runs that are drawn from these with replacement.
- * @param {readonly number[]} runtimes @param {number} budget @returns {[low: number, high: number]}
+ * The expected running times of sets of runs that are drawn from these with replacement; of two searches with the same seeds the same
+ * ones are drawn.
+ * @param {readonly number[]} runtimes @param {number} budget
  */
-export function runningTimeInterval(runtimes, budget) {
+export function resampledTimes(runtimes, budget) {
   const next = numbers(0);
-  const times = Float64Array.from({ length: resamples }, () => {
+  return Float64Array.from({ length: resamples }, () => {
     const drawn = runtimes.map(() => runtimes[Math.floor(next() * runtimes.length)]);
     return expectedRunningTime(drawn, budget);
-  }).sort();
-  const at = (/** @type {number} */ part) => times[Math.round(part * (resamples - 1))];
+  });
+}
+
+/** The 95 % confidence interval of what was drawn so (percentile bootstrap). @param {Float64Array} values @returns {[low: number, high: number]} */
+export function intervalOf(values) {
+  const sorted = values.toSorted();
+  const at = (/** @type {number} */ part) => sorted[Math.round(part * (values.length - 1))];
   return [at((1 - sure) / 2), at((1 + sure) / 2)];
+}
+
+/**
+ * By what factor the one needs more drives than the other, with its interval; null where that does not end, or may be 1.
+ * @param {Float64Array} more Resampled. @param {Float64Array} fewer @param {number} times
+ */
+export function factorOf(more, fewer, times) {
+  const [low, high] = intervalOf(more.map((time, i) => time / fewer[i]));
+  return low > 1 && high < Infinity ? { times, between: /** @type {const} */ ([low, high]) } : null;
 }
 
 /** So many of the seeds: with draw 0 the first ones, with each other draw others. @param {readonly number[]} seeds @param {number} count @param {number} draw */
@@ -47,6 +63,25 @@ export function someOf(seeds, count, draw) {
     return one;
   });
   return taken.sort((a, b) => a - b);
+}
+
+/**
+ * Against the first: `a12` is how probable it is that a run of this one is the better one, `p` that of the ranks, and `share` that of how
+ * many get there. What one asks of several is Holm's; `alone` is the p of the ranks without.
+ * @typedef {{ a12: number, p: number, share: number, alone: number }} Comparison
+ */
+
+/** @param {readonly End[]} ends */
+const reachedOf = (ends) => ends.filter(({ runtime }) => runtime < Infinity).length;
+
+/** Each of the others against the first. @param {readonly End[]} first @param {readonly (readonly End[])[]} others @returns {Comparison[]} */
+export function comparisonsOf(first, others) {
+  const ranks = others.map((ends) => rankSums(first, ends, compareEnds));
+  const ps = holm(ranks.map(({ p }) => p));
+  const shares = holm(
+    others.map((ends) => exactTest(reachedOf(first), first.length, reachedOf(ends), ends.length)),
+  );
+  return ranks.map(({ a12, p }, i) => ({ a12, p: ps[i], share: shares[i], alone: p }));
 }
 
 /** @typedef {ReadonlyMap<number, End>} EndsBySeed */
@@ -62,8 +97,11 @@ export function toldApart(first, others, count) {
     const drawn = someOf(seeds, count, draw);
     const endsOf = (/** @type {EndsBySeed} */ ends) => drawn.flatMap((seed) => ends.get(seed) ?? []);
     const own = endsOf(first);
-    const ps = holm(others.map((ends) => rankSums(own, endsOf(ends), compareEnds).p));
-    for (const [i, p] of ps.entries()) told[i] += Number(p < level);
+    const compared = comparisonsOf(
+      own,
+      others.map((ends) => endsOf(ends)),
+    );
+    for (const [i, { p, share }] of compared.entries()) told[i] += Number(Math.min(p, share) < level);
   }
   return told;
 }

@@ -164,15 +164,15 @@ function cellsOf({ count, reached, ert, median, comparison }) {
     words.reachedText(reached, count),
     Number.isFinite(ert) ? words.wholeNumber(Math.round(ert)) : '∞',
     words.medianText(median),
-    comparison ? comparison.a12.toFixed(2) : '',
+    comparison ? words.pairsText(comparison.a12) : '',
     comparison ? words.probability(comparison.p) : '',
   ];
 }
 
 /** @param {Standing} line */
-const intervalOf = ({ count, ert, interval: [low, high] }) =>
-  count > 1 && Number.isFinite(ert)
-    ? html` <small>${words.intervalText(Math.round(low), Math.round(high))}</small>`
+const intervalOf = ({ ert, interval }) =>
+  interval && Number.isFinite(ert)
+    ? html` <small>${words.intervalText(Math.round(interval[0]), Math.round(interval[1]))}</small>`
     : nothing;
 
 /** @param {LuckState} luck */

@@ -6,7 +6,8 @@
 // A12: A. Vargha, H. D. Delaney, “A critique and improvement of the CL common language effect size statistics of McGraw and
 // Wong”, Journal of Educational and Behavioral Statistics 25(2), 2000.
 // Rank sums: H. B. Mann, D. R. Whitney, Annals of Mathematical Statistics 18(1), 1947; their variance with ties and the correction
-// for continuity as in E. L. Lehmann, “Nonparametrics”, 1975, section 1.4. Many lines: S. Holm, Scandinavian Journal of Statistics 6(2), 1979.
+// for continuity as in E. L. Lehmann, “Nonparametrics”, 1975, section 1.4. Two shares: R. A. Fisher, “Statistical methods for research
+// workers”, 1934, section 21.02. Many lines: S. Holm, Scandinavian Journal of Statistics 6(2), 1979.
 import { bisectRight } from 'd3-array';
 
 /** How a search came down: at which drives its best J fell, and to what. @typedef {{ drives: ArrayLike<number>, costs: ArrayLike<number> }} Descent */
@@ -121,6 +122,24 @@ export function twoSided(z) {
     sum += term;
   }
   return 1 - 2 * density * sum;
+}
+
+/**
+ * Fisher's exact test, two-sided: how probable shares are that are no likelier than these, when both are the same and as many of all
+ * runs get there.
+ * @param {number} reached Of the first. @param {number} count @param {number} others Of the other. @param {number} otherCount
+ */
+export function exactTest(reached, count, others, otherCount) {
+  const all = reached + others;
+  const [least, most] = [Math.max(0, all - otherCount), Math.min(all, count)];
+  // How likely each number of the first is, next to the least.
+  const weights = [1];
+  for (let n = least; n < most; n += 1)
+    weights.push((weights[n - least] * (count - n) * (all - n)) / ((n + 1) * (otherCount - all + n + 1)));
+  const sum = (/** @type {readonly number[]} */ some) => some.reduce((total, one) => total + one, 0);
+  // Those that are equal are so up to rounding.
+  const own = weights[reached - least] * (1 + 1e-9);
+  return sum(weights.filter((weight) => weight <= own)) / sum(weights);
 }
 
 /** What becomes of several p, so that with all of them together one is below a level as seldom by chance as with one. @param {readonly number[]} ps */

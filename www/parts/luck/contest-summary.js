@@ -1,16 +1,28 @@
 // What a contest says: its target, a line for each contestant, and of each a verdict against the first.
 /** @import { Trial } from '../../core/engine.js' */
 /** @import { Contest, Line } from './contest-request.js' */
+/** @import { Comparison } from './contest-resampling.js' */
 /** @import { Contestant } from './contestants.js' */
-import { level, runningTimeInterval, someOf, toldApart } from './contest-resampling.js';
-import { compareEnds, costAt, expectedRunningTime, holm, rankSums, runtimeOf } from './contest-statistics.js';
+import { bisectRight } from 'd3-array';
+import {
+  comparisonsOf,
+  factorOf,
+  intervalOf,
+  leastRuns,
+  level,
+  resampledTimes,
+  someOf,
+  toldApart,
+} from './contest-resampling.js';
+import { costAt, expectedRunningTime, runtimeOf } from './contest-statistics.js';
 import { quartilesOf } from './statistics.js';
 
 /** The lowest J of all, and whose it is. @typedef {{ cost: number, name: Contestant | null, seed: number }} Lowest */
-/** Against the first: `a12` is how probable it is that a run of this one is the better one. @typedef {{ a12: number, p: number }} Comparison */
+/** Above 1, and between which two it is. @typedef {{ times: number, between: readonly [number, number] }} Factor */
 /**
- * What one can say of a contestant and the first.
- * @typedef {{ kind: 'same' | 'undecided', runs: number } | { kind: 'sooner' | 'later', times: number } | { kind: 'only-this' | 'only-first', reached: number, runs: number } | { kind: 'mostly' | 'hardly', reached: number, runs: number, first: number } | { kind: 'better' | 'worse', a12: number } | { kind: 'surer' | 'riskier', a12: number, times: number | null }} Verdict
+ * What one can say of a contestant and the first. Of shares nothing is said but what is no chance, and of a factor nothing whose interval
+ * is not known. `alone`: p, had nobody else been compared, where only that makes it undecided.
+ * @typedef {{ kind: 'same', runs: number } | { kind: 'undecided', runs: number, alone: number | null, others: number } | { kind: 'sooner' | 'later' } & Factor | { kind: 'only-this' | 'only-first', reached: number, runs: number } | { kind: 'mostly' | 'hardly' | 'oftener' | 'seldomer', reached: number, runs: number, first: number } | { kind: 'better' | 'worse', a12: number } | { kind: 'surer' | 'riskier', a12: number, factor: Factor | null }} Verdict
  */
 /**
  * @typedef {object} Standing
@@ -19,9 +31,9 @@ import { quartilesOf } from './statistics.js';
  * @property {number} count How many runs there are.
  * @property {number} reached
  * @property {number} ert In drives.
- * @property {readonly [number, number]} interval Of that.
+ * @property {readonly [number, number] | null} interval Of that; null: of too few runs.
  * @property {number} median Of J at the budget.
- * @property {Comparison | null} comparison p is Holm's.
+ * @property {Comparison | null} comparison
  * @property {Verdict | null} verdict
  * @property {number | null} told In how many of 100 draws so few of the seeds tell it apart from the first; null: with all seeds.
  */
@@ -98,67 +110,87 @@ export function standingsOf(contest, { target: chosen = null, until = null, only
 /** @param {readonly Line[]} lines @param {number} target @param {number} budget @returns {Omit<Standing, 'told'>[]} */
 function comparedOf(lines, target, budget) {
   const ends = lines.map(({ trials }) => [...endsOf(trials, target, budget).values()]);
-  const compared = lines.map((_, i) =>
-    i > 0 && ends[0].length > 0 && ends[i].length > 0 ? rankSums(ends[0], ends[i], compareEnds) : null,
+  const compared = lines.map((_, i) => i > 0 && ends[0].length > 0 && ends[i].length > 0);
+  const comparisons = comparisonsOf(
+    ends[0],
+    ends.filter((_, i) => compared[i]),
   );
-  const adjusted = holm(compared.flatMap((one) => one?.p ?? []));
+  const resampled = ends.map((own) =>
+    own.length < leastRuns
+      ? null
+      : resampledTimes(
+          own.map(({ runtime }) => runtime),
+          budget,
+        ),
+  );
   const standings = lines.map(({ name, error }, i) => {
     const runtimes = ends[i].map(({ runtime }) => runtime);
+    const times = resampled[i];
     return {
       name,
       error,
       count: runtimes.length,
       reached: runtimes.filter(Number.isFinite).length,
       ert: expectedRunningTime(runtimes, budget),
-      interval: runningTimeInterval(runtimes, budget),
+      interval: times && intervalOf(times),
       median: runtimes.length > 0 ? quartilesOf(ends[i].map(({ cost }) => cost)).median : Infinity,
     };
   });
+  const others = comparisons.length - 1;
   return standings.map((own, i) => {
-    const one = compared[i];
-    if (!one) return { ...own, comparison: null, verdict: null };
-    const comparison = { a12: one.a12, p: /** @type {number} */ (adjusted.shift()) };
-    const isSame = isSameRuns(lines[0].trials, lines[i].trials);
-    return { ...own, comparison, verdict: verdictOf(standings[0], own, comparison, isSame) };
+    if (!compared[i]) return { ...own, comparison: null, verdict: null };
+    const comparison = /** @type {Comparison} */ (comparisons.shift());
+    if (isSameRuns(lines[0].trials, lines[i].trials, budget))
+      return { ...own, comparison, verdict: { kind: 'same', runs: Math.min(standings[0].count, own.count) } };
+    const [first, these] = [resampled[0], resampled[i]];
+    const times = standings[0].ert / own.ert;
+    const factor =
+      first && these && (times > 1 ? factorOf(first, these, times) : factorOf(these, first, 1 / times));
+    return { ...own, comparison, verdict: verdictOf(standings[0], own, comparison, { factor, others }) };
   });
 }
 
-/** @param {Float64Array} a @param {Float64Array} b */
-const isSameList = (a, b) => a.length === b.length && a.every((value, i) => value === b[i]);
-
-/** As far as both have run. @param {readonly Trial[]} a @param {readonly Trial[]} b */
-function isSameRuns(a, b) {
+/** As far as both have run, and are read. @param {readonly Trial[]} a @param {readonly Trial[]} b @param {number} budget */
+function isSameRuns(a, b, budget) {
   const bySeed = new Map(a.map((trial) => [trial.seed, trial]));
   const common = b.filter(({ seed }) => bySeed.has(seed));
   const isSame = (/** @type {Trial} */ { seed, drives, costs }) => {
-    const other = bySeed.get(seed);
-    return !!other && isSameList(other.drives, drives) && isSameList(other.costs, costs);
+    const other = /** @type {Trial} */ (bySeed.get(seed));
+    const [count, otherCount] = [drives, other.drives].map((all) => bisectRight(all, budget));
+    const isEqual = (/** @type {number} */ drive, /** @type {number} */ i) =>
+      drive === other.drives[i] && costs[i] === other.costs[i];
+    return count === otherCount && drives.slice(0, count).every(isEqual);
   };
   return common.length > 0 && common.every(isSame);
 }
 
-/** @param {Alone} first @param {Alone} own @param {Comparison} comparison @param {boolean} isSame @returns {Verdict} */
-function verdictOf(first, own, { a12, p }, isSame) {
+/** Of two that are not run by run the same. @param {Alone} first @param {Alone} own @param {Comparison} comparison @param {{ factor: Factor | null, others: number }} rest @returns {Verdict} */
+function verdictOf(first, own, { a12, p, share, alone }, { factor, others }) {
   const runs = Math.min(first.count, own.count);
-  if (isSame) return { kind: 'same', runs };
-  if (p >= level) return { kind: 'undecided', runs };
-  if (own.reached > 0 && first.reached === 0)
-    return { kind: 'only-this', reached: own.reached, runs: own.count };
-  if (own.reached === 0 && first.reached > 0)
-    return { kind: 'only-first', reached: first.reached, runs: first.count };
-  const times = first.ert / own.ert;
   const shares = { reached: own.reached, runs: own.count, first: first.reached };
-  // Of so few that get there no factor can be told, here or below.
-  if (a12 > 0.5 && times > 1)
-    return first.interval[1] === Infinity ? { kind: 'mostly', ...shares } : { kind: 'sooner', times };
-  if (a12 < 0.5 && times < 1)
-    return own.interval[1] === Infinity ? { kind: 'hardly', ...shares } : { kind: 'later', times: 1 / times };
-  // Who is behind in most pairs, but fails less often, may need fewer drives in the mean; and the other way round.
-  const surer = own.reached / own.count - first.reached / first.count;
-  const factor = Math.max(first.interval[1], own.interval[1]) < Infinity ? Math.max(times, 1 / times) : null;
-  if (a12 < 0.5 && times > 1 && surer > 0) return { kind: 'surer', a12, times: factor };
-  if (a12 > 0.5 && times < 1 && surer < 0) return { kind: 'riskier', a12, times: factor };
-  return { kind: a12 > 0.5 ? 'better' : 'worse', a12 };
+  const isMore = own.reached / own.count > first.reached / first.count;
+  const [isMoreSurely, isFewerSurely] = [share < level && isMore, share < level && !isMore];
+  if (p >= level) {
+    if (isMoreSurely) return { kind: 'oftener', ...shares };
+    if (isFewerSurely) return { kind: 'seldomer', ...shares };
+    return { kind: 'undecided', runs, alone: alone < level ? alone : null, others };
+  }
+  if (isMoreSurely && first.reached === 0)
+    return { kind: 'only-this', reached: own.reached, runs: own.count };
+  if (isFewerSurely && own.reached === 0)
+    return { kind: 'only-first', reached: first.reached, runs: first.count };
+  const isFaster = own.ert < first.ert;
+  if (a12 > 0.5) {
+    if (isFaster && factor) return { kind: 'sooner', ...factor };
+    if (isFaster && isMoreSurely) return { kind: 'mostly', ...shares };
+    // Who is ahead in most pairs, but fails more often, may need more drives in the mean; and the other way round.
+    if (!isFaster && isFewerSurely) return { kind: 'riskier', a12, factor };
+    return { kind: 'better', a12 };
+  }
+  if (!isFaster && factor) return { kind: 'later', ...factor };
+  if (!isFaster && isFewerSurely) return { kind: 'hardly', ...shares };
+  if (isFaster && isMoreSurely) return { kind: 'surer', a12, factor };
+  return { kind: 'worse', a12 };
 }
 
 /** A row for each improvement; `examples/contest/` makes of it what IOHinspector and IOHanalyzer read. @param {Contest} contest */

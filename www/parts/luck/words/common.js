@@ -33,8 +33,14 @@ export const targetText = (target) => fixed(target, 4);
 /** @param {{ seeds: number, budget: number }} contest */
 export const contestFile = ({ seeds, budget }) => `contest-${seeds}-seeds-${budget}-drives.csv`;
 
+/** In whole per cent; all, or none, only where it is. @param {number} part */
+export const wholePercent = (part) =>
+  part < 1 && part >= 0.995 ? '>99' : part > 0 && part < 0.005 ? '<1' : String(Math.round(100 * part));
 /** @param {number} part */
-export const percent = (part) => `${Math.round(100 * part)} %`;
+export const percent = (part) => `${wholePercent(part)} %`;
+/** A12, likewise. @param {number} part */
+export const pairsText = (part) =>
+  part < 1 && part >= 0.995 ? '>0.99' : part > 0 && part < 0.005 ? '<0.01' : part.toFixed(2);
 
 /** As papers print it. @param {number} p */
 export const probability = (p) => (p < 0.001 ? '< 0.001' : fixed(p, 3));

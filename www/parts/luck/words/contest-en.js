@@ -1,9 +1,9 @@
 // Every word of the contest.
-/** @import { Lowest, Verdict } from '../contest-summary.js' */
+/** @import { Factor, Lowest, Verdict } from '../contest-summary.js' */
 /** @import { Contestant } from '../contestants.js' */
 import { beginningOf } from '../../../kit/text.js';
 import { costText, grouped } from '../../../words/en/numbers.js';
-import { percent, targetText, timesText } from './common.js';
+import { percent, probability, targetText, timesText } from './common.js';
 
 export const viewLegend = 'What is asked';
 /** @type {import('../../../kit/segmented.js').Choices<'seeds' | 'contest'>} */
@@ -147,20 +147,26 @@ export const contestColumns = [
   { text: 'reached', hint: 'How many runs reached the target' },
   {
     text: 'ERT',
-    hint: 'Expected running time: the drives of all runs until the target or the budget, divided by the number of those that reached it; beside it its 95 % confidence interval (bootstrap)',
+    hint: 'Expected running time: the drives of all runs until the target or the budget, divided by the number of those that reached it; beside it, of 15 runs or more, its 95 % confidence interval (bootstrap)',
   },
   { text: 'median J', hint: 'The median of J at the budget' },
   {
     text: 'A12',
     hint: 'How probable it is that a run of it is better than one of the first: sooner at the target, or, if neither is there, with a lower J',
   },
-  { text: 'p', hint: 'Mann–Whitney, two-sided, of the same order; Holm’s correction for the lines' },
+  {
+    text: 'p',
+    hint: 'Mann–Whitney, two-sided, of the same order; Holm’s correction for the lines. It takes the seeds as not shared: as they are, it is cautious',
+  },
 ];
 /** The columns in a line; their hints have it in full. */
 export const columnsText =
-  'ERT: drives per success. A12: pairs won. p: how likely equals differ at least so much.';
+  'ERT: drives per success. A12: pairs won. p: how likely equals differ so much with seeds of their own.';
 /** @param {number} reached @param {number} count */
 export const reachedText = (reached, count) => `${reached} of ${count}`;
+
+/** @param {Factor} factor */
+const betweenText = ({ between: [low, high] }) => `(${timesText(low)} to ${timesText(high)})`;
 
 /** @param {Verdict} verdict @param {Contestant | null} name */
 export function verdictText(verdict, name) {
@@ -170,11 +176,15 @@ export function verdictText(verdict, name) {
     case 'undecided':
       return verdict.runs === 1
         ? 'One run cannot tell these two apart.'
-        : `${verdict.runs} runs cannot tell these two apart.`;
+        : `${verdict.runs} runs cannot tell these two apart${verdict.alone === null ? '' : ` (alone p would be ${probability(verdict.alone)}, but it is one of ${1 + verdict.others})`}.`;
+    case 'oftener':
+      return `${shortName(name)} gets there more often: in ${verdict.reached} of ${verdict.runs} runs, the first in ${verdict.first}. Which of two runs is ahead, one cannot tell.`;
+    case 'seldomer':
+      return `${shortName(name)} gets there less often: in ${verdict.reached} of ${verdict.runs} runs, the first in ${verdict.first}. Which of two runs is ahead, one cannot tell.`;
     case 'sooner':
-      return `${shortName(name)} gets there ${timesText(verdict.times)} times sooner.`;
+      return `${shortName(name)} gets there ${timesText(verdict.times)} times sooner ${betweenText(verdict)}.`;
     case 'later':
-      return `${shortName(name)} takes ${timesText(verdict.times)} times as many drives to get there.`;
+      return `${shortName(name)} takes ${timesText(verdict.times)} times as many drives to get there ${betweenText(verdict)}.`;
     case 'mostly':
       return `${shortName(name)} gets there in ${verdict.reached} of ${verdict.runs} runs, the first in only ${verdict.first}.`;
     case 'hardly':
@@ -184,9 +194,9 @@ export function verdictText(verdict, name) {
     case 'only-first':
       return `${shortName(name)} never gets there; the first does in ${verdict.reached} of ${verdict.runs} runs.`;
     case 'surer':
-      return `${shortName(name)} is behind in ${percent(1 - verdict.a12)} of all pairs, but fails less often${verdict.times ? `: in the mean it gets there ${timesText(verdict.times)} times sooner` : ''}.`;
+      return `${shortName(name)} is behind in ${percent(1 - verdict.a12)} of all pairs, but fails less often${verdict.factor ? `: in the mean it gets there ${timesText(verdict.factor.times)} times sooner ${betweenText(verdict.factor)}` : ''}.`;
     case 'riskier':
-      return `${shortName(name)} is ahead in ${percent(verdict.a12)} of all pairs, but fails more often${verdict.times ? `: in the mean it takes ${timesText(verdict.times)} times as many drives` : ''}.`;
+      return `${shortName(name)} is ahead in ${percent(verdict.a12)} of all pairs, but fails more often${verdict.factor ? `: in the mean it takes ${timesText(verdict.factor.times)} times as many drives ${betweenText(verdict.factor)}` : ''}.`;
     default:
       return `In ${percent(verdict.kind === 'better' ? verdict.a12 : 1 - verdict.a12)} of all pairs of runs the ${verdict.kind === 'better' ? 'better' : 'worse'} one is that of ${shortName(name)}.`;
   }

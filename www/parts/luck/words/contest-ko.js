@@ -1,12 +1,15 @@
 // Every word of the contest, in Korean.
-/** @import { Lowest, Verdict } from '../contest-summary.js' */
+/** @import { Factor, Lowest, Verdict } from '../contest-summary.js' */
 /** @import { Contestant } from '../contestants.js' */
 import { beginningOf } from '../../../kit/text.js';
 import { costText, grouped } from '../../../words/ko/numbers.js';
-import { targetText, timesText } from './common.js';
+import { probability, targetText, timesText, wholePercent } from './common.js';
 
 /** @param {number} part */
-export const percent = (part) => `${Math.round(100 * part)}%`;
+export const percent = (part) => `${wholePercent(part)}%`;
+/** @param {Factor} factor */
+const timesBetween = ({ times, between: [low, high] }) =>
+  `${timesText(times)}배(${timesText(low)}~${timesText(high)}배)`;
 
 export const viewLegend = '무엇을 알아볼지';
 /** @type {import('../../../kit/segmented.js').Choices<'seeds' | 'contest'>} */
@@ -137,18 +140,21 @@ export const contestColumns = [
   { text: '도달', hint: '목푯값에 이른 실행의 수' },
   {
     text: 'ERT',
-    hint: '기대 실행 시간: 모든 실행이 목푯값이나 한도까지 쓴 주행 횟수를 목푯값에 이른 실행의 수로 나눈 값. 옆의 값은 95% 신뢰구간(부트스트랩)',
+    hint: '기대 실행 시간: 모든 실행이 목푯값이나 한도까지 쓴 주행 횟수를 목푯값에 이른 실행의 수로 나눈 값. 실행이 15번 이상이면 옆에 95% 신뢰구간(부트스트랩)',
   },
   { text: 'J 중앙값', hint: '주행 한도에서 J의 중앙값' },
   {
     text: 'A12',
     hint: '이 참가자의 실행이 첫 참가자의 실행보다 나을 확률: 목푯값에 더 일찍 이르거나, 둘 다 이르지 못했다면 J가 더 낮은 쪽',
   },
-  { text: 'p', hint: 'A12와 같은 우열 기준으로 계산한 만–휘트니 양측 검정, 줄 수에 대한 홀름 보정' },
+  {
+    text: 'p',
+    hint: 'A12와 같은 우열 기준으로 계산한 만–휘트니 양측 검정, 줄 수에 대한 홀름 보정. 시드를 함께 쓰지 않는다고 보므로, 여기서는 신중한 값',
+  },
 ];
 /** The columns in a line; their hints have it in full. */
 export const columnsText =
-  'ERT: 성공 하나당 주행 횟수. A12: 이긴 쌍의 비율. p: 둘이 같아도 이만큼 이상 다를 확률.';
+  'ERT: 성공 하나당 주행 횟수. A12: 이긴 쌍의 비율. p: 둘이 같아도 저마다의 시드로 이만큼 다를 확률.';
 /** @param {number} reached @param {number} count */
 export const reachedText = (reached, count) => `${reached}/${count}`;
 
@@ -159,11 +165,15 @@ export function verdictText(verdict, name) {
     case 'same':
       return '모든 실행이 첫 참가자와 똑같습니다. 이 주행 횟수 안에서는 이것을 바꾸어도 달라지는 것이 없습니다. (처음의 무작위 로봇만 주행하는 동안에는 어떤 방법도 다르지 않습니다.)';
     case 'undecided':
-      return `${verdict.runs}번의 실행으로는 둘의 차이를 알 수 없습니다.`;
+      return `${verdict.runs}번의 실행으로는 둘의 차이를 알 수 없습니다${verdict.alone === null ? '' : `(비교가 이것뿐이라면 p는 ${probability(verdict.alone)}, 여기서는 비교 ${1 + verdict.others}개 가운데 하나)`}.`;
+    case 'oftener':
+      return `${who}: 목푯값에 더 자주 이릅니다(실행 ${verdict.runs}번 중 ${verdict.reached}번, 첫 참가자는 ${verdict.first}번). 두 실행을 짝지으면 누가 앞서는지는 알 수 없습니다.`;
+    case 'seldomer':
+      return `${who}: 목푯값에 더 드물게 이릅니다(실행 ${verdict.runs}번 중 ${verdict.reached}번, 첫 참가자는 ${verdict.first}번). 두 실행을 짝지으면 누가 앞서는지는 알 수 없습니다.`;
     case 'sooner':
-      return `${who}: 목푯값에 ${timesText(verdict.times)}배 빨리 이릅니다.`;
+      return `${who}: 목푯값에 ${timesBetween(verdict)} 빨리 이릅니다.`;
     case 'later':
-      return `${who}: 목푯값에 이르는 데 주행이 ${timesText(verdict.times)}배 필요합니다.`;
+      return `${who}: 목푯값에 이르는 데 주행이 ${timesBetween(verdict)} 필요합니다.`;
     case 'mostly':
       return `${who}: 실행 ${verdict.runs}번 중 ${verdict.reached}번 목푯값에 이르지만, 첫 참가자는 ${verdict.first}번만 이릅니다.`;
     case 'hardly':
@@ -173,9 +183,9 @@ export function verdictText(verdict, name) {
     case 'only-first':
       return `${who}: 목푯값에 한 번도 이르지 못합니다. 첫 참가자는 실행 ${verdict.runs}번 중 ${verdict.reached}번 이릅니다.`;
     case 'surer':
-      return `${who}: 두 실행을 짝지으면 ${percent(1 - verdict.a12)}에서 뒤지지만 ${verdict.times ? `실패가 적어서, 평균으로는 목푯값에 ${timesText(verdict.times)}배 빨리 이릅니다` : '실패가 적습니다'}.`;
+      return `${who}: 두 실행을 짝지으면 ${percent(1 - verdict.a12)}에서 뒤지지만 ${verdict.factor ? `실패가 적어서, 평균으로는 목푯값에 ${timesBetween(verdict.factor)} 빨리 이릅니다` : '실패가 적습니다'}.`;
     case 'riskier':
-      return `${who}: 두 실행을 짝지으면 ${percent(verdict.a12)}에서 앞서지만 ${verdict.times ? `실패가 많아서, 평균으로는 주행이 ${timesText(verdict.times)}배 필요합니다` : '실패가 많습니다'}.`;
+      return `${who}: 두 실행을 짝지으면 ${percent(verdict.a12)}에서 앞서지만 ${verdict.factor ? `실패가 많아서, 평균으로는 주행이 ${timesBetween(verdict.factor)} 필요합니다` : '실패가 많습니다'}.`;
     default:
       return `${who}: 두 실행을 짝지으면 ${percent(verdict.kind === 'better' ? verdict.a12 : 1 - verdict.a12)}에서 ${verdict.kind === 'better' ? '더 낫습니다' : '더 못합니다'}.`;
   }
