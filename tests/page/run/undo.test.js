@@ -64,8 +64,24 @@ test('gains by hand that a link replaces come back with all else that it changed
     assert.deepEqual(told(), own, link);
   }
   // What drives as before is no step.
-  open('lab&drives=hand&gains=6.45,5,5&start=1,0,90deg&lesson=3');
+  open('lab&drives=hand&gains=6.45,5,5&start=1,0,90deg&generation=2');
   assert.deepEqual(told(), own);
+});
+
+test('a step of the lesson has nothing before it; what is changed in it is taken back there', () => {
+  const { store, actions, open } = pageOf('lab&seed=5&drives=hand&gains=6.45,5,5');
+  const told = () => {
+    const { experiment, lesson, versions } = store.get();
+    return [experiment.evolution.seed, lesson, versions.past.length];
+  };
+  open('lab&seed=6&lesson=6');
+  assert.deepEqual(told(), [6, 6, 0]);
+  open('lab&seed=7&lesson=6');
+  assert.deepEqual(told(), [7, 6, 1]);
+  open('lab&seed=8&lesson=7');
+  assert.deepEqual(told(), [8, 7, 0]);
+  actions.undo();
+  assert.deepEqual(told(), [8, 7, 0]);
 });
 
 test('nor has a link that takes long to begin', async () => {

@@ -22,7 +22,7 @@ import { quartilesOf } from './statistics.js';
 /**
  * What one can say of a contestant and the first. Of shares nothing is said but what is no chance, and of a factor nothing whose interval
  * is not known. `alone`: p, had nobody else been compared, where only that makes it undecided.
- * @typedef {{ kind: 'same', runs: number } | { kind: 'undecided', runs: number, alone: number | null, others: number } | { kind: 'sooner' | 'later' } & Factor | { kind: 'only-this' | 'only-first', reached: number, runs: number } | { kind: 'mostly' | 'hardly' | 'oftener' | 'seldomer', reached: number, runs: number, first: number } | { kind: 'better' | 'worse', a12: number } | { kind: 'surer' | 'riskier', a12: number, factor: Factor | null }} Verdict
+ * @typedef {{ kind: 'same', runs: number } | { kind: 'undecided', runs: number, alone: number | null, others: number } | { kind: 'sooner' | 'later' } & Factor | { kind: 'only-this' | 'only-first', reached: number, runs: number } | { kind: 'mostly' | 'hardly', reached: number, runs: number, first: number } | { kind: 'better' | 'worse', a12: number } | { kind: 'surer' | 'riskier', a12: number, factor: Factor | null }} Verdict
  */
 /**
  * @typedef {object} Standing
@@ -171,8 +171,8 @@ function verdictOf(first, own, { a12, p, share, alone }, { factor, others }) {
   const isMore = own.reached / own.count > first.reached / first.count;
   const [isMoreSurely, isFewerSurely] = [share < level && isMore, share < level && !isMore];
   if (p >= level) {
-    if (isMoreSurely) return { kind: 'oftener', ...shares };
-    if (isFewerSurely) return { kind: 'seldomer', ...shares };
+    // Though pairs tell nothing, the shares may.
+    if (share < level) return { kind: isMore ? 'mostly' : 'hardly', ...shares };
     return { kind: 'undecided', runs, alone: alone < level ? alone : null, others };
   }
   if (isMoreSurely && first.reached === 0)

@@ -176,11 +176,7 @@ export function verdictText(verdict, name) {
     case 'undecided':
       return verdict.runs === 1
         ? 'One run cannot tell these two apart.'
-        : `${verdict.runs} runs cannot tell these two apart${verdict.alone === null ? '' : ` (alone p would be ${probability(verdict.alone)}, but it is one of ${1 + verdict.others})`}.`;
-    case 'oftener':
-      return `${shortName(name)} gets there more often: in ${verdict.reached} of ${verdict.runs} runs, the first in ${verdict.first}. Which of two runs is ahead, one cannot tell.`;
-    case 'seldomer':
-      return `${shortName(name)} gets there less often: in ${verdict.reached} of ${verdict.runs} runs, the first in ${verdict.first}. Which of two runs is ahead, one cannot tell.`;
+        : `${verdict.runs} runs cannot tell these two apart${verdict.alone === null ? '' : ` (p alone: ${probability(verdict.alone)}, one of ${1 + verdict.others})`}.`;
     case 'sooner':
       return `${shortName(name)} gets there ${timesText(verdict.times)} times sooner ${betweenText(verdict)}.`;
     case 'later':

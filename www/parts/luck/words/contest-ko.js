@@ -165,11 +165,7 @@ export function verdictText(verdict, name) {
     case 'same':
       return '모든 실행이 첫 참가자와 똑같습니다. 이 주행 횟수 안에서는 이것을 바꾸어도 달라지는 것이 없습니다. (처음의 무작위 로봇만 주행하는 동안에는 어떤 방법도 다르지 않습니다.)';
     case 'undecided':
-      return `${verdict.runs}번의 실행으로는 둘의 차이를 알 수 없습니다${verdict.alone === null ? '' : `(비교가 이것뿐이라면 p는 ${probability(verdict.alone)}, 여기서는 비교 ${1 + verdict.others}개 가운데 하나)`}.`;
-    case 'oftener':
-      return `${who}: 목푯값에 더 자주 이릅니다(실행 ${verdict.runs}번 중 ${verdict.reached}번, 첫 참가자는 ${verdict.first}번). 두 실행을 짝지으면 누가 앞서는지는 알 수 없습니다.`;
-    case 'seldomer':
-      return `${who}: 목푯값에 더 드물게 이릅니다(실행 ${verdict.runs}번 중 ${verdict.reached}번, 첫 참가자는 ${verdict.first}번). 두 실행을 짝지으면 누가 앞서는지는 알 수 없습니다.`;
+      return `${verdict.runs}번의 실행으로는 둘의 차이를 알 수 없습니다${verdict.alone === null ? '' : `(이것만 비교하면 p는 ${probability(verdict.alone)}, 비교는 ${1 + verdict.others}개)`}.`;
     case 'sooner':
       return `${who}: 목푯값에 ${timesBetween(verdict)} 빨리 이릅니다.`;
     case 'later':
