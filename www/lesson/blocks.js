@@ -13,16 +13,14 @@ import { createFormula } from './formulas/formula.js';
 import { hrefOf, linkOfStep, pathLength, stepNames } from './path.js';
 import { inline, list, paragraphs } from './prose.js';
 import { createQuiz } from './questions/quiz.js';
-import { progressSlice } from './state.js';
+import { settle } from './questions/settle.js';
+import { keyOf, progressSlice } from './state.js';
 import words from './words/index.js';
 
 /** @import { TemplateResult } from 'lit-html' */
 /** @import { Answer } from './state.js' */
 /** @import { Block, Live, Part, Tools } from './page.js' */
 /** @import { Content, Step } from './steps.js' */
-
-/** @param {Pick<Step, 'name'>} step @param {string} name of a question of it */
-export const keyOf = (step, name) => `${step.name}.${name}`;
 
 /** Whether a question of the step has been answered. @param {Live['state']} state @param {Step} step @param {string} name */
 const isAnswered = (state, step, name) =>
@@ -121,9 +119,13 @@ function createQuestion({ name, quiz }, step, text, href, { store, actions, go, 
     const { [key]: _, ...others } = progressSlice.of(store.get()).answers;
     progressSlice.update(store, { answers: answer ? { ...others, [key]: answer } : others, lapsed: null });
   };
+  /** As it was drawn last. @type {Live | null} */
+  let drawn = null;
   const view = createQuiz(text.quizzes[name], quiz, href, {
     onAnswer(choice) {
       if (progressSlice.of(store.get()).answers[key]) return;
+      // Whoever goes on to another question has seen enough of the drive that answers the one before.
+      if (drawn) settle(drawn, step, { store, actions }, true);
       if (quiz.shows) go(href(quiz.shows).slice(1));
       if (quiz.sight) look(quiz.sight);
       quiz.begins?.(store);
@@ -137,9 +139,10 @@ function createQuestion({ name, quiz }, step, text, href, { store, actions, go, 
   view.element.id = `quiz-${name}`;
   return {
     element: view.element,
-    draw(/** @type {Live} */ { state }) {
-      const { answers, lapsed } = progressSlice.of(state);
-      view.draw(answers[key], lapsed === key);
+    draw(/** @type {Live} */ live) {
+      drawn = live;
+      const { answers, lapsed } = progressSlice.of(live.state);
+      view.draw(answers[key], lapsed === key, quiz.opens?.(live) === false);
     },
   };
 }

@@ -16,3 +16,6 @@ export const noTally = Object.freeze({ experiment: '', drives: 0, costs: [], bes
 export const noProgress = { answers: {}, lapsed: null, tallies: [], duel: null, sees: 'you' };
 
 export const progressSlice = createSlice('progress', noProgress);
+
+/** Under which name an answer is kept. @param {{ readonly name: string }} step @param {string} name of a question of it */
+export const keyOf = (step, name) => `${step.name}.${name}`;

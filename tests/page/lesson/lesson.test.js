@@ -190,6 +190,8 @@ for (const [i, { name, blocks }] of steps.entries())
     for (const block of blocks) {
       if (block.kind !== 'quiz') continue;
       const id = `quiz-${block.name}`;
+      // What is asked once somebody has driven.
+      if (block.quiz.opens) await page.focus('#slider-kx').then(() => page.press(Key.ARROW_RIGHT));
       await pressAll(page, [`#${id} .choice:first-child`]);
       const why = await page.until(
         `an answer to ${name}.${block.name}`,

@@ -129,3 +129,16 @@ pageTest(
   },
   { moves: true },
 );
+
+pageTest(
+  'who goes on to another question has seen enough of the drive that answers the one before',
+  async (page) => {
+    await page.open('#lesson&step=limits');
+    await page.setPace(0.02);
+    await page.click('#quiz-free .choice:first-child');
+    await page.until('it is watched', () => document.querySelector('#quiz-free [aria-disabled="true"]'));
+    await page.click('#quiz-heals .choice:first-child');
+    await page.until('its answer', () => document.querySelector('#quiz-free .right'));
+  },
+  { moves: true },
+);

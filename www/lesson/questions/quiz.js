@@ -23,11 +23,12 @@ import { inline } from '../prose.js';
  * @property {(store: Store) => void} [begins] What the prediction sets going there.
  * @property {true} [watch] The answer waits until the drive has been seen to its end.
  * @property {readonly number[]} [order] In which the choices stand; else in that of the words.
+ * @property {(live: Live) => boolean} [opens] Whether it can be predicted yet; before that the words say what comes first.
  * @property {(live: Live) => boolean} [ready] Whether what it is answered from is there; without it, at once.
  * @property {(state: Live['state']) => readonly unknown[]} [of] What beside the run it is answered from: once that is another, it is to be asked again.
  * @property {(live: Live) => Outcome | Promise<Outcome>} answer From what runs then.
  */
-/** @typedef {{ question: string, choices: readonly string[], why: (outcome: any) => string }} QuizWords */
+/** @typedef {{ question: string, choices: readonly string[], first?: string, why: (outcome: any) => string }} QuizWords */
 
 /** What came below the edge comes into sight, as far as the choices that count stay there; a page around this frame stays where it is. @param {HTMLElement} element */
 function bringIntoSight(element) {
@@ -65,17 +66,17 @@ export function createQuiz(text, { order = text.choices.map((_, i) => i), watch:
   };
   return {
     element,
-    /** @param {Answer | undefined} answer @param {boolean} isLapsed */
-    draw(answer, isLapsed) {
-      if (!changed(answer, isLapsed)) return;
+    /** @param {Answer | undefined} answer @param {boolean} isLapsed @param {boolean} isClosed */
+    draw(answer, isLapsed, isClosed) {
+      if (!changed(answer, isLapsed, isClosed)) return;
       const right = answer?.right ?? null;
       const button = (/** @type {number} */ i) => {
         const chosen = i === answer?.choice;
         const wrong = chosen && right !== null && i !== right;
         const mark = i === right ? words.right : chosen ? words.yours : '';
-        const look = `choice${i === right ? ' right' : ''}${wrong ? ' wrong' : ''}${chosen ? ' chosen' : ''}`;
-        return html`<button type="button" class=${look} aria-pressed=${String(chosen)} aria-disabled=${String(answer !== undefined)}
-          @click=${() => press(i)}><span class="choice-mark muted">${mark}</span><span>${choices[i]}</span></button>`;
+        const look = `choice${i === right ? ' right' : ''}${wrong ? ' wrong' : ''}${chosen ? ' chosen' : ''}${isClosed ? ' closed' : ''}`;
+        return html`<button type="button" class=${look} aria-pressed=${String(chosen)} aria-disabled=${String(answer !== undefined || isClosed)}
+          @click=${() => isClosed || press(i)}><span class="choice-mark muted">${mark}</span><span>${choices[i]}</span></button>`;
       };
       const why =
         answer && right !== null
@@ -84,9 +85,11 @@ export function createQuiz(text, { order = text.choices.map((_, i) => i), watch:
             ? waits
               ? words.watching
               : words.computing
-            : isLapsed
-              ? words.lapsed
-              : '';
+            : isClosed
+              ? text.first
+              : isLapsed
+                ? words.lapsed
+                : '';
       render(
         html`<legend>${question}</legend>
           <div class="choices">${order.map(button)}</div>

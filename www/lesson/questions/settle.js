@@ -2,8 +2,7 @@
 import { Pending } from '../../core/pending.js';
 import { isLost, messageOf } from '../../words/errors.js';
 import { isAskedIn } from './asked-in.js';
-import { keyOf } from '../blocks.js';
-import { progressSlice } from '../state.js';
+import { keyOf, progressSlice } from '../state.js';
 import words from '../words/index.js';
 
 /** @import { Run } from '../../core/engine.js' */
@@ -44,8 +43,8 @@ function begun(answer) {
 /** @type {WeakSet<Answer>} */
 const pending = new WeakSet();
 
-/** @param {Live} live @param {Step} step @param {Pick<Tools, 'store' | 'actions'>} tools */
-export function settle(live, step, { store, actions }) {
+/** @param {Live} live @param {Step} step @param {Pick<Tools, 'store' | 'actions'>} tools @param {boolean} [isEnough] Whatever of a drive has been seen. */
+export function settle(live, step, { store, actions }, isEnough = false) {
   if (live.state.evolving || live.state.computing) return;
   for (const block of step.blocks) {
     if (block.kind !== 'quiz') continue;
@@ -65,7 +64,7 @@ export function settle(live, step, { store, actions }) {
       continue;
     }
     if (quiz.ready && !quiz.ready(live)) continue;
-    if (quiz.watch && !isSeen(live)) continue;
+    if (quiz.watch && !isEnough && !isSeen(live)) continue;
     const found = begun(() => quiz.answer(live));
     pending.add(answer);
     const { why } = /** @type {any} */ (words.steps[step.name]).quizzes[name];

@@ -64,10 +64,10 @@ const sigma = contestQuiz(
   async (live) => {
     const contest = await contestIn(live);
     const [early, late] = [far, near].map((target) => standingsOf(contest, { target }).lines);
-    const isBehind = sideOf(late[1]) < 0;
-    return { right: isBehind ? (sideOf(early[1]) < 0 ? 0 : 1) : 2, early, late, far, near };
+    const [isEarly, isLate] = [early, late].map(([, fixed]) => sideOf(fixed) < 0);
+    return { right: isLate ? (isEarly ? 0 : 1) : isEarly ? 3 : 2, early, late, far, near };
   },
-  [1, 0, 2],
+  [1, 0, 3, 2],
 );
 
 const fewer = contestQuiz(
@@ -89,14 +89,14 @@ const crowd = contestQuiz(
     );
     const isAhead = ({ lines: [first, other] } = early) => other.reached > first.reached;
     return {
-      right: isAhead(late) ? (isAhead(early) ? 2 : 1) : 0,
+      right: isAhead(late) ? (isAhead(early) ? 2 : 1) : isAhead(early) ? 3 : 0,
       early: early.lines,
       late: late.lines,
       drives: [early.budget, late.budget],
       near,
     };
   },
-  [1, 2, 0],
+  [1, 3, 2, 0],
 );
 
 const rivals = contestQuiz(

@@ -23,6 +23,7 @@ export const duel = {
     { kind: 'text', name: 'begin' },
     { kind: 'view', create: createDuelDrives },
     quiz('ahead', {
+      opens: (live) => duelIn(live).costs.length > 0,
       async answer(live) {
         const locked = duelIn(live);
         const first = locked.rounds[0] ?? (await roundOf(live.engine, locked, nextSeed(locked)));

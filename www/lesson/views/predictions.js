@@ -2,10 +2,10 @@
 import { html, nothing, render } from 'lit-html';
 import { create } from '../../kit/elements.js';
 import { watch } from '../../kit/memo.js';
-import { keyOf, nameOf } from '../blocks.js';
+import { nameOf } from '../blocks.js';
 import { linkOfStep, pathLength, stepNames } from '../path.js';
 import { inline } from '../prose.js';
-import { progressSlice } from '../state.js';
+import { keyOf, progressSlice } from '../state.js';
 import words from '../words/index.js';
 
 /** @import { Block, Tools } from '../page.js' */

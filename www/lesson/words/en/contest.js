@@ -25,7 +25,7 @@ export const contest = {
     begin: `The method has many parts: a tournament, step sizes that adapt themselves, a population. *Which of them does the work?* Take one away, and see. But you have seen in the duel of step 9 what one run is worth: next to nothing. So every contestant here runs *51 times*, with the same seeds, and may make *4\u202f000 drives* each time. Nobody counts generations, for a generation of one may cost ten times as many drives as that of another. The first contestant is the paper’s EP, *as in the lab*.
 
 Two things can be asked of a run: how low is {J} when the drives are used up, or *how many drives until {J} is below a target*? Here it is the second: 7.72, a quarter of a percent above the best that is known.`,
-    read: `That is how such a result looks, and it is a result. The shaded bands, each the middle half of the runs, overlap. The table counts: how many runs *reached* the target; *ERT*, how many drives it takes on average if a run that failed is begun again with another seed; *A12*, how often a run of this one beats a run of the first; *p*, how often chance alone would make a difference at least as large, if both were equally good: below 0.05 one says that it is not chance. Step 7 showed a better robot falling in the tournament. As far as can be measured here, that does no harm, and no good.`,
+    read: `That is how such a result looks, and it is a result. The shaded bands, each the middle half of the runs, overlap. The table counts: how many runs *reached* the target; *ERT*, how many drives it takes on average if a run that failed is begun again with another seed; *A12*, how often a run of this one beats a run of the first; *p*, how often chance alone would make a difference at least as large, if both were equally good: below 0.05 one says that it is not chance. (This test knows nothing of the shared seeds, and so says “not clear” rather too often.) Step 7 showed a better robot falling in the tournament. As far as can be measured here, that does no harm, and no good.`,
     drag: `*Now drag the target*: the dot at the left end of the dashed line, slowly from 8.09 down to 7.72. At the top the curves lie together; further down they part, and one of them hardly falls any more. A step of 1 is good for finding the valley and useless for finding its lowest point. So the step sizes of step 8 *do* work, but only beyond a certain accuracy. Had we asked for 8.09 alone, we would have called them a waste.`,
     slide: `Press *other seeds* under the picture, again and again: the sentence flips between a clear difference and none, though nothing but the seeds has changed. Then move the slider *Had you run only* to 3, to 10, to 20. So few runs mostly leave the question open, and it is we who read an answer into them. Now and then they even show a difference that is not there.`,
     budget: `Drag the *vertical* line, the number of drives at which the curves are read, from 4\u202f000 to the end. Twenty robots come down early and then stand still: a run that has not reached the target by then mostly never does. A hundred are slower and lose fewer runs on the way. *Without a target, a budget and the number of runs there is no winner*, only an anecdote.`,
@@ -54,6 +54,7 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
         'Self-adaptation is sooner at both',
         'At 8.09 self-adaptation is no sooner; at 7.72 it is far ahead',
         'Self-adaptation is sooner at neither',
+        'At 8.09 self-adaptation is far ahead; at 7.72 it is no sooner',
       ],
       /** @param {{ early: Row[], late: Row[], far: number, near: number }} outcome */
       why: ({ early, late, far, near }) =>
@@ -74,6 +75,7 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
         'With twenty, after 4\u202f000 drives and after 20\u202f000',
         'With twenty after 4\u202f000 drives, with a hundred after 20\u202f000',
         'With a hundred, both times',
+        'With a hundred after 4\u202f000 drives, with twenty after 20\u202f000',
       ],
       /** @param {{ early: Row[], late: Row[], drives: number[] }} outcome */
       why: ({ early, late, drives }) =>

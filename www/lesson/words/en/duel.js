@@ -66,10 +66,10 @@ Then evolution has its turn: {=count} robots for {=generations} generations, {=g
       question:
         'Trials so far: {=drives}. Your best: {=best}. Who will have the lowest mean {J} in the end? (Your prediction locks your best in.)',
       choices: ['I will', 'Evolution', 'Random search', 'Evolution and random search, with the same J'],
+      first: 'First move a slider: predict once you have a trial.',
       /** @param {Verdict} verdict */
       why: ({ costs, drives, given, generation, seed }) => {
-        const you =
-          drives === 0 ? 'You have not driven.' : `You: ${costText(costs.you)} after ${trialsText(drives)}.`;
+        const you = `You: ${costText(costs.you)} after ${trialsText(drives)}.`;
         return `${you} Evolution: ${costText(costs.evolution)} at generation ${generation}, after ${trialsText(given)}. Random search: ${costText(costs.random)} after as many. Seed ${seed}.`;
       },
     },

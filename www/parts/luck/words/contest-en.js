@@ -161,7 +161,7 @@ export const contestColumns = [
 ];
 /** The columns in a line; their hints have it in full. */
 export const columnsText =
-  'ERT: drives per success. A12: pairs won. p: how likely equals differ so much with seeds of their own.';
+  'ERT: drives per success. A12: pairs won. p: how likely equals differ at least so much.';
 /** @param {number} reached @param {number} count */
 export const reachedText = (reached, count) => `${reached} of ${count}`;
 

@@ -154,7 +154,7 @@ export const contestColumns = [
 ];
 /** The columns in a line; their hints have it in full. */
 export const columnsText =
-  'ERT: 성공 하나당 주행 횟수. A12: 이긴 쌍의 비율. p: 둘이 같아도 저마다의 시드로 이만큼 다를 확률.';
+  'ERT: 성공 하나당 주행 횟수. A12: 이긴 쌍의 비율. p: 둘이 같아도 이만큼 이상 다를 확률.';
 /** @param {number} reached @param {number} count */
 export const reachedText = (reached, count) => `${reached}/${count}`;
 
