@@ -5,6 +5,7 @@ import { isAskedIn } from '../../../www/lesson/questions/asked-in.js';
 import { settle } from '../../../www/lesson/questions/settle.js';
 import { progressSlice } from '../../../www/lesson/state.js';
 import { lapsed } from '../../../www/lesson/words/en.js';
+import { duel } from '../../../www/lesson/words/en/duel.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { liveOf } from './live.js';
@@ -142,3 +143,16 @@ pageTest(
   },
   { moves: true },
 );
+
+pageTest('a duel is predicted by who has driven', async (page) => {
+  await page.open('#lesson&step=duel');
+  await page.click('#quiz-ahead .choice:first-child');
+  const why = () => page.text('#quiz-ahead .quiz-why');
+  assert.equal(await why(), duel.quizzes.ahead.first);
+  await page.focus('#slider-kx');
+  await page.press(Key.ARROW_RIGHT);
+  await page.until('a trial', () => document.getElementById('duel-drives')?.textContent === '1');
+  assert.equal(await why(), '');
+  await page.click('#quiz-ahead .choice:first-child');
+  await page.until('its answer', () => document.querySelector('#quiz-ahead .right'));
+});
