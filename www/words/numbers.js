@@ -14,6 +14,9 @@ const beyond = (value) => (value < 0 ? '−∞' : '∞');
 export const fixed = (value, digits) =>
   Math.abs(value) < huge ? typed(value, digits).replace('-', '−') : powerText(value);
 
+/** What is added, or taken away. @param {number} by */
+export const changed = (by) => `${by > 0 ? '+' : ''}${fixed(by, 2)}`;
+
 /** So many digits that count, with a power of ten where that is easier to read. @param {number} value @param {number} digits */
 const counting = (value, digits) =>
   value === 0 || (Math.abs(value) >= 1e-6 && Math.abs(value) < huge)

@@ -31,7 +31,9 @@ export const sigma = {
         const { cost } = await engine.surveys.evolve(usual, generation);
         const own = history[generation].best.cost;
         const right = Math.abs(own - cost) < same ? 1 : own < cost ? 0 : 2;
-        return { right, own, usual: cost, generation, sigma: experiment.evolution.initialSigma };
+        const sigma = experiment.evolution.initialSigma;
+        const falls = history[generation].meanSigmas.every((mean) => mean < sigma);
+        return { right, own, usual: cost, generation, sigma, falls };
       },
     }),
     quiz('further', {

@@ -36,7 +36,7 @@ A *gain* says how hard one error pushes. Each bar is one push at this moment, on
       why: ({ arrived, error, time }) =>
         arrived
           ? `It arrives after ${fixed(time, 2)} s.`
-          : `It stops ${fixed(Math.hypot(error.x, error.y), 2)} m from the goal: {xe} is ${fixed(error.x, 2)} m, {te} is ${degreesText(error.theta)}, and {ye} is ${fixed(error.y, 2)} m. With {xe} and sin {te} at zero, every push is zero.`,
+          : `It stops ${fixed(Math.hypot(error.x, error.y), 2)} m from the goal: {xe} is ${fixed(error.x, 2)} m, {te} is ${degreesText(error.theta)}, and {ye} is ${fixed(error.y, 2)} m. With {ky} = 0, and {xe} and sin {te} at zero, every push is zero.`,
     },
     ahead: {
       question: 'The same gains, {ky} still 0, but from the paper’s own start: 0 m, 0 m, 0°. And now?',
@@ -54,7 +54,8 @@ A *gain* says how hard one error pushes. Each bar is one push at this moment, on
     onlyKy: '{ky} alone: 0, 8, 0. Where {ye} is 0, it does nothing',
     all: 'All three: 3, 8, 5',
     stuck: 'Start beside the goal with {ky} = 0: nothing moves',
-    shuffle: 'The same with {ky} = 8: it goes to and fro, as one does in a parking space, and so comes over',
+    shuffle:
+      'The same with {ky} = 8: it goes to and fro, as one does in a parking space, and so comes nearer bit by bit',
     unlimited:
       'All three on wheels without limits: the clock stops where {w} is largest. Look at its bar, then let the robot drive on',
   },

@@ -17,7 +17,7 @@ export const limits = {
     limit: 'limit',
   },
   texts: {
-    asked: `The law asks, the wheels answer. In the drive of the paper’s EP gains the law asks for up to {=askedV} m/s and {=askedW} rad/s. The paper’s robot can do {=v} m/s and {=w} rad/s. In the picture the thin line is what was asked, the thick one what was done: what is beyond the limit, the dashed line, is cut off. Engineers call that *saturation*. The robot drives at full speed for most of the way.
+    asked: `The law asks, the wheels answer. In the drive of the paper’s EP gains the law asks for up to {=askedV} m/s and {=askedW} rad/s. The paper’s robot can do {=v} m/s and {=w} rad/s. In the picture (far from 0 equal distances are equal factors) the thin line is what was asked, the thick one what was done: what is beyond the limit, the dashed line, is cut off. Engineers call that *saturation*. The robot drives at full speed for most of the way.
 
 Would it be better without limits? The proof of the last step assumes none.`,
     theory: `Between the proof and a real robot there is a gap: the proof wants the law to act *at every instant*, but a computer decides once every hundredth of a second, at each *sample*, and holds its command until the next. A huge command that is held turns the robot much too far; a faster computer helps little, because where sin {te} is 0 the command has no bound. So {V} need not fall from sample to sample: without limits these gains let it rise at {=rises} of {=samples} samples. (Such a drive is *sensitive*: the last digits of the arithmetic decide exactly how many.)
@@ -60,7 +60,7 @@ Do speed limits close that gap? From the paper’s own start it looks so: with t
   },
   notice: [
     'With acceleration limits the speed begins at 0 and climbs along a straight line: no command can start the wheels at once.',
-    'In our Figure 7 the dotted robot turns far beyond its goal and back, and never arrives. The paper’s does not turn so far: step 14 returns to this.',
+    'In our Figure 7 the dotted robot has the arbitrary gains that the paper picked for these wheels, 30, 30, 30. It turns far beyond its goal and back, and never arrives. The paper’s does not turn so far: step 14 returns to this.',
     'In the curves of {v} and {w} the faint line is what was asked for. Where the full line lies on it, the law itself drives; elsewhere the limit does.',
   ],
 };

@@ -40,9 +40,9 @@ Nobody judges {s} itself. Steps of a good length make good offspring, and these 
         'At the same J: {s} adapts itself anyway',
         'Higher: with such steps it hardly gets away',
       ],
-      /** @param {{ own: number, usual: number, generation: number, sigma: number }} outcome */
-      why: ({ own, usual, generation, sigma }) =>
-        `After ${generation} generations the best J is ${costText(own)}; with σ = 1 at the start it is ${costText(usual)}. Only about one birth in seven more than doubles a σ, so it takes many generations to make ${sigma} large.`,
+      /** @param {{ own: number, usual: number, generation: number, sigma: number, falls: boolean }} outcome */
+      why: ({ own, usual, generation, sigma, falls }) =>
+        `After ${generation} generations the best J is ${costText(own)}; with σ = 1 at the start it is ${costText(usual)}. Only about one birth in seven more than doubles a σ${falls ? ', and here σ does not even grow: the curves fall. Among steps so short the shortest do the least harm, and so they survive. The end of this step says more.' : `, so it takes many generations to make ${sigma} large.`}`,
     },
     further: {
       question:

@@ -1,5 +1,5 @@
 // The step “drive” in Korean.
-import { costText, fixed } from '../../../words/ko/numbers.js';
+import { changed, costText, fixed } from '../../../words/ko/numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Run} Run */
 
@@ -9,7 +9,7 @@ export const drive = {
 
 그림 아래의 슬라이더 세 개를 움직여 보십시오. 숫자를 바꿀 때마다 로봇이 다시 달립니다. 큰 숫자 *J*는 이 주행의 비용입니다. 걸린 *시간*, 가는 동안(*경로*)과 마지막에(*최종*) 목표에서 얼마나 떨어져 있었는지, 얼마나 빨리 달리고 돌았는지(*에너지*)를 모두 더한 값입니다. *낮을수록 좋습니다.*
 
-이 페이지가 따르는 논문은 진화 없이 고른 이득(여기서 J는 {=arbitrary})과 진화 프로그래밍(EP)이 찾은 이득({=ep})을 비교합니다. *두 값보다 더 낮출 수 있습니까?*`,
+이 페이지가 따르는 논문은 진화 없이 고른 *임의* 이득(여기서 J는 {=arbitrary})과 진화 프로그래밍(EP)이 찾은 이득({=ep})을 비교합니다. *두 값보다 더 낮출 수 있습니까?*`,
     next: `감에 의지해 숫자를 바꾸고, 지켜보고, 더 나은 것을 남겼습니다. 출발점이 하나이면 어렵지 않습니다. 곧 어려워집니다. 같은 세 숫자로 사방에서 출발하는 로봇을 모두 주차시켜야 합니다. 그때는 방금 손으로 한 일을 진화가 대신합니다. 로봇 스무 대로 한꺼번에 하고, 지치지도 않습니다. 그런데 이 세 숫자는 도대체 무엇일까요?`,
   },
   /** @param {import('../common.js').Drives} tally */
@@ -25,14 +25,14 @@ export const drive = {
       choices: ['더 빨리 도착하고 J도 낮아진다', '더 빨리 도착하지만 J는 높아진다', '더 늦게 도착한다'],
       /** @param {{ gentle: Run, bold: Run }} outcome */
       why: ({ gentle, bold }) =>
-        `5로는 ${arrival(gentle)}, J는 ${costText(gentle.cost.total)}입니다. 10으로는 ${arrival(bold)}, J는 ${costText(bold.cost.total)}입니다. J에서 에너지의 몫은 ${fixed(gentle.cost.energy, 2)} → ${fixed(bold.cost.energy, 2)}, 경로의 몫은 ${fixed(gentle.cost.path, 2)} → ${fixed(bold.cost.path, 2)}입니다. 둘 다 그려져 있습니다. 5로 달린 주행은 비교할 수 있게 화면에 고정해 두었습니다.`,
+        `5로는 ${arrival(gentle)}, J는 ${costText(gentle.cost.total)}입니다. 10으로는 ${arrival(bold)}, J는 ${costText(bold.cost.total)}입니다. 5에서 10으로 바꿀 때 J의 몫의 변화: 시간 ${changed(bold.cost.time - gentle.cost.time)}, 경로 ${changed(bold.cost.path - gentle.cost.path)}, 에너지 ${changed(bold.cost.energy - gentle.cost.energy)}. 둘 다 그려져 있습니다. 5로 달린 주행은 비교할 수 있게 *고정*해 둔, 색이 있는 파선입니다.`,
     },
   },
   tries: {
     stops: '첫째 숫자만: 3, 0, 0. 어디에 멈추며, 왜 하필 거기인가?',
     onlySecond: '둘째만: 0, 5, 0',
     noDrive: '셋째만: 0, 0, 5',
-    negative: '첫째를 0보다 작게: −1, 1, 5',
+    negative: '첫째를 0보다 작게: −1, 1, 5. 그러면 {J}에 벌점도 붙는다',
     paper: '논문에서 진화가 찾은 숫자',
   },
   notice: [

@@ -32,7 +32,7 @@ export const law = {
       why: ({ arrived, error, time }) =>
         arrived
           ? `${fixed(time, 2)}초 뒤에 도착합니다.`
-          : `목표에서 ${fixed(Math.hypot(error.x, error.y), 2)} m 떨어져 섭니다. {xe}는 ${fixed(error.x, 2)} m, {te}는 ${degreesText(error.theta)}, {ye}는 ${fixed(error.y, 2)} m입니다. {xe}와 sin {te}가 0이면 법칙의 모든 항이 0입니다.`,
+          : `목표에서 ${fixed(Math.hypot(error.x, error.y), 2)} m 떨어져 섭니다. {xe}는 ${fixed(error.x, 2)} m, {te}는 ${degreesText(error.theta)}, {ye}는 ${fixed(error.y, 2)} m입니다. {ky} = 0이므로, {xe}와 sin {te}가 0이면 법칙의 모든 항이 0입니다.`,
     },
     ahead: {
       question:
@@ -51,7 +51,7 @@ export const law = {
     onlyKy: '{ky}만: 0, 8, 0. {ye}가 0이면 아무 일도 하지 않는다',
     all: '셋 모두: 3, 8, 5',
     stuck: '목표 옆에서 {ky} = 0으로 출발: 움직이지 않는다',
-    shuffle: '같은 곳에서 {ky} = 8로 출발: 주차할 때처럼 앞뒤로 오가며 옆으로 간다',
+    shuffle: '같은 곳에서 {ky} = 8로 출발: 주차할 때처럼 앞뒤로 오가며 옆으로 조금씩 다가간다',
     unlimited:
       '셋 모두, 바퀴에 제한이 없을 때: {w}가 가장 큰 순간에 재생이 멈춘다. 막대를 본 뒤 이어서 달려 보기',
   },

@@ -13,7 +13,7 @@ export function ending({ best, count }, { parked, generation }, isDone, isFurthe
     return `Evolution ended at ${parked} of ${count}; you had ${best.parked}. That was luck, good or bad: try another seed.`;
   const after = `After ${generation} ${generation === 1 ? 'generation' : 'generations'}`;
   return parked === count
-    ? `${after} one robot parks from all ${count} starts. Nobody told evolution how: all it knew of a robot was one number.`
+    ? `${after} one robot parks from all ${count} starts. Nobody told evolution how: all it knew of a robot was one number: the mean cost J of its ${count} drives, not how many parked.`
     : `${after} evolution parks ${parked} of ${count}.`;
 }
 
@@ -60,7 +60,7 @@ export function missed(robot, count, { seconds, ahead, aside, degrees, gain: nam
     degrees && `turned by ${fixed(Math.abs(degrees), 1)}°`,
   ];
   const asked = asks.map(({ value, unit }) => `${fixed(value, 3)} ${unit}`).join(' and ');
-  return `Robot ${robot} of ${count} missed. After ${fixed(seconds, 0)} s it is ${off.filter(Boolean).join(', ')}; there ${name} asks for ${asked}.`;
+  return `Robot ${robot} of ${count} missed. After ${fixed(seconds, 0)} s it is ${off.filter(Boolean).join(', ')}; ${name} works against that, there with ${asked}.`;
 }
 export const watchThis = 'Watch this one in the lab';
 export const previous = 'The robot before';

@@ -13,7 +13,7 @@ export function ending({ best, count }, { parked, generation }, isDone, isFurthe
   if (best && parked <= best.parked)
     return `진화는 로봇 ${count}대 가운데 ${parked}대에서 끝났고, 직접 찾은 세 숫자로는 ${best.parked}대였습니다. 운이 작용하니 다른 시드로 다시 해 보십시오.`;
   return parked === count
-    ? `${generation}세대 만에 출발점 ${count}개 모두에서 주차하는 로봇이 나왔습니다. 방법을 알려 준 사람은 없습니다. 진화가 로봇마다 아는 것은 숫자 하나뿐이었습니다.`
+    ? `${generation}세대 만에 출발점 ${count}개 모두에서 주차하는 로봇이 나왔습니다. 방법을 알려 준 사람은 없습니다. 진화가 로봇마다 아는 것은 숫자 하나, 주행 ${count}번의 평균 비용 J뿐이었고, 몇 대가 주차하는지는 몰랐습니다.`
     : `${generation}세대 뒤에 진화는 로봇 ${count}대 가운데 ${parked}대를 주차시킵니다.`;
 }
 
@@ -60,7 +60,7 @@ export function missed(robot, count, { seconds, ahead, aside, degrees, gain: nam
     degrees && `방향으로 ${fixed(Math.abs(degrees), 1)}°`,
   ];
   const asked = asks.map(({ value, unit }) => `${fixed(value, 3)} ${unit}`).join(', ');
-  return `로봇 ${count}대 중 ${robot}번 로봇은 주차하지 못했습니다. ${fixed(seconds, 0)}초 뒤에 ${off.filter(Boolean).join(', ')} 벗어나 있습니다. 그곳에서 ${name}의 명령: ${asked}.`;
+  return `로봇 ${count}대 중 ${robot}번 로봇은 주차하지 못했습니다. ${fixed(seconds, 0)}초 뒤에 ${off.filter(Boolean).join(', ')} 벗어나 있습니다. 이를 바로잡는 것은 ${name}, 그곳에서의 명령: ${asked}.`;
 }
 export const watchThis = '이 로봇을 실험실에서 보기';
 export const previous = '앞 로봇';
