@@ -191,7 +191,11 @@ for (const [i, { name, blocks }] of steps.entries())
       if (block.kind !== 'quiz') continue;
       const id = `quiz-${block.name}`;
       // What is asked once somebody has driven.
-      if (block.quiz.opens) await page.focus('#slider-kx').then(() => page.press(Key.ARROW_RIGHT));
+      if (block.quiz.opens) {
+        await pressAll(page, [`[data-try="${triesOf[0][0]}"]`]);
+        await page.focus('#slider-kx');
+        await page.press(Key.ARROW_RIGHT);
+      }
       await pressAll(page, [`#${id} .choice:first-child`]);
       const why = await page.until(
         `an answer to ${name}.${block.name}`,

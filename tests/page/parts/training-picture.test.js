@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { pageTest } from '../harness/browsers.js';
-import { experiment, startsOnCircle } from '../harness/core.js';
+import { experiment, paperGains, simulate, startsOnCircle } from '../harness/core.js';
 import { read } from '../harness/reading.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -32,7 +32,26 @@ pageTest(
       await page.drag('#training-unseen', [{ x: width / 2 + right * metre, y: height / 2 - up * metre }]);
       return read(page);
     };
+    const usual = experiment('velocity-limits');
+    const run = simulate({ ...usual, starts: [start] }, paperGains('velocity-limits', 'ep'));
+    const way = Array.from(run.x, (along, i) => [along - x, run.y[i] - y]).filter((_, i) => i % 5 === 0);
+    /** Which share of its way is drawn in ink. */
+    const drawn = () =>
+      page.evaluate((points) => {
+        const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById('training-unseen'));
+        const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+        const metre = Math.min(canvas.width, canvas.height) / 8.6;
+        const isInk = (/** @type {number[]} */ [right, up]) => {
+          const at = [canvas.width / 2 + right * metre, canvas.height / 2 - up * metre];
+          const [red, green, blue, alpha] = context.getImageData(at[0], at[1], 1, 1).data;
+          return alpha > 200 && Math.max(red, green, blue) < 100;
+        };
+        return points.filter(isInk).length / points.length;
+      }, way);
+    const before = await drawn();
     const pressed = await press(radius, 0);
+    const after = await drawn();
+    assert.ok(before < 0.6 && after > 0.9, `${before} of its way, then ${after}`);
     assert.deepEqual(pressed.start, {
       x: Number(start.x.toFixed(2)),
       y: Number(start.y.toFixed(2)),

@@ -88,7 +88,7 @@ export function createPage({ engine, store, actions, paper }) {
       element.classList.toggle('of-one', !evolved && seen.starts.length === 1);
       const { goal } = isSet(chosen) && evolved ? evolved.experiment : state.experiment;
       for (const [i, { starts, arrived }] of [seen, unseen].entries())
-        pictures[i].draw({ starts, arrived, goal, tried: state.trial.start, theme: state.theme });
+        pictures[i].draw({ starts, arrived, goal, tried: start, driving, theme: state.theme });
     },
   };
 }

@@ -1,5 +1,5 @@
 // A picture of starts around the goal: filled where the robot arrives; small, pale red and without a tail where it does not.
-/** @import { Posture } from '../../core/engine.js' */
+/** @import { Posture, Run } from '../../core/engine.js' */
 import { circle, createWatchedLayer, strokeTwice } from '../../kit/canvas.js';
 import { followSize } from '../../kit/elements.js';
 import { arrowOf, isChord } from '../../kit/keyboard.js';
@@ -13,6 +13,7 @@ import { kite } from '../../lab/track.js';
  * @property {Uint8Array | null} arrived Null: nobody has driven yet.
  * @property {Posture} goal
  * @property {Posture | null} tried The start that a robot drives from now.
+ * @property {Pick<Run, 'x' | 'y'>} driving Its drive.
  * @property {number} theme
  */
 
@@ -61,8 +62,8 @@ export function createPicture(canvas, { radius, onTry, onSize }) {
     /** @param {PictureModel} next */
     draw(next) {
       model = next;
-      const { starts, arrived, goal, tried, theme } = next;
-      drawWatched(sizeOf(), [starts, arrived, goal, tried, theme], (context) =>
+      const { starts, arrived, goal, tried, driving, theme } = next;
+      drawWatched(sizeOf(), [starts, arrived, goal, tried, tried && driving, theme], (context) =>
         drawStarts(context, next, viewOf(goal)),
       );
     },
@@ -73,7 +74,7 @@ export function createPicture(canvas, { radius, onTry, onSize }) {
 const isSame = (a, b) => b !== null && a.x === b.x && a.y === b.y && a.theta === b.theta;
 
 /** @param {CanvasRenderingContext2D} context @param {PictureModel} model @param {ReturnType<typeof viewAround>} view */
-function drawStarts(context, { starts, arrived, goal, tried }, { scale, screenX, screenY }) {
+function drawStarts(context, { starts, arrived, goal, tried, driving }, { scale, screenX, screenY }) {
   const [ink, muted, paper, error] = ['--ink', '--muted', '--paper', '--error'].map(colour);
   const isCrowded = starts.length > 100;
   // As large as fits, so that one does not hide the next.
@@ -94,13 +95,18 @@ function drawStarts(context, { starts, arrived, goal, tried }, { scale, screenX,
       else context.stroke();
     }
   }
+  const current = starts.find((start) => isSame(start, tried));
+  if (current) {
+    context.beginPath();
+    for (const [i, x] of driving.x.entries()) context.lineTo(screenX(x), screenY(driving.y[i]));
+    strokeTwice(context, [paper, 5], [ink, 2]);
+  }
   kite(context, screenX(goal.x), screenY(goal.y), goal.theta, 12);
   context.fillStyle = paper;
   context.strokeStyle = ink;
   context.lineWidth = 2;
   context.fill();
   context.stroke();
-  const current = starts.find((start) => isSame(start, tried));
   if (!current) return;
   circle(context, screenX(current.x), screenY(current.y), size + 5);
   strokeTwice(context, [paper, 5], [ink, 2]);
