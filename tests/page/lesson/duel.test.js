@@ -286,8 +286,9 @@ pageTest('answers, trials and a locked duel outlast a reload of the tab', async 
   assert.equal(await textOf(page, 'duel-drives'), '0');
 });
 
-pageTest('who has only predicted can start over for another contest', async (page) => {
+pageTest('who has not locked in themselves can start over for another contest', async (page) => {
   await page.open('#lesson&step=duel');
+  await drive(page, 'kx', 1);
   await page.click('#quiz-ahead .choice:first-child');
   await page.until('the table', () => document.getElementById('duel-table')?.checkVisibility());
   await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('[data-try="dear"]')).click());
