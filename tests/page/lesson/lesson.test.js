@@ -194,7 +194,7 @@ for (const [i, { name, blocks }] of steps.entries())
       if (block.quiz.opens) {
         await pressAll(page, [`[data-try="${triesOf[0][0]}"]`]);
         await page.focus('#slider-kx');
-        await page.press(Key.ARROW_RIGHT);
+        await page.press(Key.ARROW_LEFT);
       }
       await pressAll(page, [`#${id} .choice:first-child`]);
       const why = await page.until(
