@@ -25,6 +25,11 @@ test('what a link waits for can be stopped, but not where running is locked', ()
     actions.stopComputing();
     assert.equal(store.get().catchingUp === null, stops, locked);
   }
+  // What is set there, as far as that is free, is not what its link waits for.
+  const { actions, store } = pageOf('lab&lock=run');
+  store.update({ computing: { what: 'begin', since: 0, share: () => null } });
+  actions.stopComputing();
+  assert.equal(store.get().computing, null);
 });
 
 test('a start that is tried where evolution starts is none', () => {
@@ -34,4 +39,18 @@ test('a start that is tried where evolution starts is none', () => {
   assert.equal(store.get().trial.start?.x, 1);
   actions.movePosture('start', own, true);
   assert.equal(store.get().trial, noTrial);
+});
+
+test('the plane stands still under a hand, and comes near again where a start is tried no more', () => {
+  const { actions, store } = pageOf('robustness');
+  store.update({ size: { width: 800, height: 600 } });
+  const width = () => store.get().box.right - store.get().box.left;
+  const before = width();
+  const far = { x: 9, y: 0, theta: 0 };
+  actions.movePosture('start', far, true);
+  assert.equal(width(), before);
+  actions.movePosture('start', { ...far, x: 9.5 }, false);
+  assert.ok(width() > 2 * before);
+  actions.openPage('lab');
+  assert.ok(width() < 2 * before);
 });

@@ -15,3 +15,19 @@ test('the clock that is drawn as far as its slider goes stands at the end', () =
   actions.scrub(0);
   assert.equal(store.get().robot.time, 0);
 });
+
+const moving = { finalTime: () => 2, isStill: () => false };
+
+test('Run lets a robot that was paused on its way drive on from there', () => {
+  const { actions, store } = pageOf('lab', moving);
+  actions.scrub(1);
+  actions.toggleEvolution();
+  assert.deepEqual(store.get().robot, { time: 1, held: 0, playing: true });
+});
+
+test('from a start that is tried the robot drives at once', () => {
+  const { actions, store } = pageOf('robustness', moving);
+  actions.scrub(1);
+  actions.tryStart({ x: 1, y: 0, theta: 0 });
+  assert.deepEqual(store.get().robot, fromStart);
+});

@@ -11,6 +11,7 @@ import {
 } from '../../../www/run/exercise.js';
 import { groupOf, guarded } from '../../../www/run/guard.js';
 import { withExercise } from '../../../www/link/link.js';
+import { paces } from '../../../www/run/pace.js';
 import { nobody } from '../../../www/run/variant.js';
 import { experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
@@ -111,4 +112,28 @@ test('what a lecturer locks while it runs is paused, for nobody could pause it t
   assert.equal(store.get().evolving, true);
   actions.makeExercise({ draft: withWay(noExercise, 'run', 'locked') });
   assert.equal(store.get().evolving, false);
+});
+
+test('what a link still evolves comes to its end, whatever a lecturer locks meanwhile', () => {
+  const { store, actions } = pageOf('lab');
+  store.update({ evolving: true, catchingUp: { newest: 3, generation: 3 } });
+  actions.makeExercise({ open: true, draft: withWay(noExercise, 'run', 'locked') });
+  assert.equal(store.get().evolving, true);
+});
+
+test('the settings and the maker stand in one place, and in no exercise that locks the settings', () => {
+  const { store, actions, open } = pageOf('lab');
+  const areOpen = () => [store.get().settings.open, store.get().maker.open];
+  actions.makeExercise({ open: true });
+  actions.openSettings(true);
+  assert.deepEqual(areOpen(), [true, false]);
+  open('lab&lock=settings');
+  assert.deepEqual(areOpen(), [false, false]);
+});
+
+test('where the parts are locked, phase by phase is one generation after the other', () => {
+  const { store, actions } = pageOf('lab&lock=parts');
+  actions.toggleEvolution();
+  actions.setPace(paces[0]);
+  assert.equal(store.get().pace, 1);
 });

@@ -1,5 +1,6 @@
 // What one step of undo takes back, without the controls.
 import assert from 'node:assert/strict';
+import { noErrors } from '../../../www/run/first.js';
 import { test } from '../harness/once.js';
 import { pageOf } from './page-of.js';
 
@@ -90,4 +91,21 @@ test('nor has a link that takes long to begin', async () => {
   await actions.whenIdle();
   const { experiment, versions } = store.get();
   assert.deepEqual([experiment.evolution.seed, versions.past.length], [5, 0]);
+});
+
+test('nothing is taken back under a hand that still holds something', () => {
+  const { actions } = pageOf('lab');
+  const goal = actions.postureOf('goal');
+  actions.movePosture('goal', { ...goal, x: 1 }, false);
+  actions.movePosture('goal', { ...goal, x: 1.5 }, true);
+  actions.undo();
+  assert.equal(actions.postureOf('goal').x, 1.5);
+});
+
+test('what was refused of the gains is gone with those that an undo takes back', () => {
+  const { store, actions } = pageOf('lab&drives=hand&gains=3,1,5');
+  actions.driveGains([4, 2, 6], 'luck');
+  actions.typeGain(0, 'x');
+  actions.undo();
+  assert.deepEqual([store.get().handGains, store.get().gainErrors], [[3, 1, 5], noErrors]);
 });
