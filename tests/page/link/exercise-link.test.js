@@ -3,9 +3,11 @@ import assert from 'node:assert/strict';
 import fc from 'fast-check';
 import { links } from '../../../www/lesson/links.js';
 import { aimOf, aimText, scaleOf, scaleText } from '../../../www/link/exercise.js';
+import { takeAlong, takeUp } from '../../../www/link/crossing.js';
 import { withExercise } from '../../../www/link/link.js';
 import { isSealed, sealOf } from '../../../www/link/seal.js';
 import { judged } from '../../../www/run/aim.js';
+import { firstMaker, mostOfTask } from '../../../www/run/exercise.js';
 import { presets } from '../../../www/run/state.js';
 import { drawnFor } from '../../../www/run/variant.js';
 import { createEngine, experiment } from '../harness/core.js';
@@ -29,9 +31,9 @@ const linked = ({ parts, ...run }) => ({ ...run, slices: parts });
 const again = (link) => linkOf(linked(open(link)), experiment);
 
 test('an aim and its points are read as they are written', () => {
-  for (const text of ['J<8.1', 'parks:28/32', 'unseen:0.9', 'J<7.75;drives<=4000', 'parks:1/1;drives<=1'])
+  for (const text of ['J<8.1', 'parks:28/32', 'unseen:1', 'J<7.75;drives<=4000', 'parks:1/1;drives<=1'])
     assert.equal(aimText(aimOf(text)), text);
-  for (const text of ['9.016:0,7.75:10', '20:1,32:3.5']) assert.equal(scaleText(scaleOf(text)), text);
+  for (const text of ['9.016:0,7.75:10', '20:1,32:1000']) assert.equal(scaleText(scaleOf(text)), text);
   for (const text of [
     '',
     'J<',
@@ -58,6 +60,7 @@ test('an answer meets its aim only within its budget; points lie on the line bet
   assert.equal(of(8).isMet, false);
   assert.deepEqual([of(7).points, of(9).points, of(10).points], [10, 0, 0]);
   assert.deepEqual(of(7, 101), { isMet: false, points: 0, most: 10 });
+  assert.equal(judged(aim, scaleOf('9:2,7.75:10'), { value: 7, drives: 101 }).points, 2);
   for (const lost of [Number.POSITIVE_INFINITY, Number.NaN])
     assert.deepEqual([of(lost).isMet, of(lost).points], [false, 0]);
   const parks = (/** @type {number} */ value) =>
@@ -256,4 +259,34 @@ test('digits hold for the link alone, however it was written on its way', () => 
   assert.equal(again(cut), `${again(link)}&handin=${sealed.slice(0, -3)}`);
   const changed = (/** @type {string} */ text) => text.replace('3.5', '3.4');
   assert.equal(again(changed(whole)), `${again(changed(link))}&handin=${sealed}`);
+});
+
+test('who works here and what was driven before stand only beside what asks for them', () => {
+  assert.equal(again('lab&who=s4711'), 'lab');
+  assert.equal(open('lab&aim=J<8;drives<=9&spent=7').student.spent, 7);
+  assert.equal(open('lab&aim=J<8&spent=7').student.spent, 0);
+});
+
+test('a task may be as long as its field lets it be', () => {
+  const task = 'x'.repeat(mostOfTask);
+  assert.equal(open(`lab&task=${task}`).exercise.task, task);
+});
+
+test('of what was evolved in an exercise another language makes again what its link says', (t) => {
+  const history = {
+    state: /** @type {unknown} */ (null),
+    replaceState: (/** @type {unknown} */ to) => (history.state = to),
+  };
+  Object.assign(globalThis, { history });
+  t.after(() => Reflect.deleteProperty(globalThis, 'history'));
+  const state = { evolving: true, catchingUp: { newest: 9 }, history: [], maker: firstMaker };
+  for (const [aim, newest] of /** @type {const} */ ([
+    ['', 9],
+    ['&aim=J<8', 3],
+  ])) {
+    takeAlong(/** @type {any} */ (state), []);
+    const taken = takeUp(open(`lab&generation=3${aim}`));
+    // What catches up goes on by itself.
+    assert.deepEqual([taken.newest, taken.evolving], [newest, false]);
+  }
 });

@@ -145,6 +145,17 @@ test('the name of a pin turns nothing around', () => {
   assert.equal(pins[0].name, 'Aevil ');
 });
 
+test('whatever a pin is called, its link has its gains', () => {
+  const named = {
+    slot: 0,
+    name: 'a~b~c',
+    experiment: velocityLimits,
+    gains: /** @type {const} */ ([1, 2, 3]),
+  };
+  const link = linkOf({ ...plain, pins: [named] }, experiment);
+  assert.deepEqual(open(link).opened.pins, [{ ...named, name: 'a-b-c' }]);
+});
+
 test('every angle may be in degrees', () => {
   const { opened, problems } = open('lab&v=1&goal.theta=90deg&start=0,0,45deg&tolerance.heading=180deg');
   assert.deepEqual(problems, []);
@@ -277,6 +288,8 @@ test('what is wrong is named with what it must be, and the rest is used', () => 
     assert.match(problems[0], message);
     assert.equal(opened.experiment.evolution.initialSigma, 0.5, link);
   }
+  assert.equal(open('lab&found=map').opened.found, 'hand');
+  assert.match(open('lab&a=1&b=1&c=1&d=1&e=1&f=1').problems[5], /^One more/);
   const many = open('luck&contestants=de,random,fixed,cauchy').opened;
   assert.deepEqual(luckSlice.of({ slices: many.parts }).others, ['de', 'random', 'fixed']);
   const long = open(`lab&seed=3&${'x'.repeat(30_000)}`);
