@@ -30,7 +30,7 @@ function createAsked() {
       await new Promise(setImmediate);
     }
   };
-  return { seen, draw, retry: refining.retry };
+  return { seen, draw, follow: refining.follow, retry: refining.retry };
 }
 
 test('what failed is asked for once, and once more when it is retried', async () => {
@@ -64,4 +64,15 @@ test('what is there is not asked for again, and what failed hinders nothing else
   seen.isBlocked = false;
   await draw({ name: 'c' });
   assert.deepEqual(seen.results, ['a2', 'a4', 'c2', 'c4']);
+});
+
+test('what is under way is not asked for once more, and nothing finer while something moves', async () => {
+  const { seen, follow } = createAsked();
+  const spec = { name: 'a' };
+  for (let frame = 0; frame < 3; frame += 1) follow(spec, true);
+  await new Promise(setImmediate);
+  follow(spec, true);
+  assert.deepEqual(seen.asked, ['a2']);
+  for (let frame = 0; frame < 3; frame += 1) follow(spec, false);
+  assert.deepEqual(seen.asked, ['a2', 'a4']);
 });
