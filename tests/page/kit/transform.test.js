@@ -1,7 +1,7 @@
 // Between the plane in metres and a picture in pixels.
 import assert from 'node:assert/strict';
 import fc from 'fast-check';
-import { boxAround, createView, viewAround } from '../../../www/kit/transform.js';
+import { boxAround, createView, refit, viewAround } from '../../../www/kit/transform.js';
 import { test } from '../harness/once.js';
 
 const number = fc.double({ min: -20, max: 20, noNaN: true });
@@ -34,4 +34,22 @@ test('around a centre just its radius has room on every side, and up is up', () 
       isNear(screenX(x + radius) - screenX(x), screenY(y) - screenY(y + radius));
     }),
   );
+});
+
+test('where little of the picture is left to what must be seen, the box comes nearer', () => {
+  const size = { width: 800, height: 600 };
+  const box = boxAround([
+    { x: 0, y: 0 },
+    { x: 8, y: 8 },
+  ]);
+  const near = [
+    { x: 3, y: 3 },
+    { x: 5, y: 5 },
+  ];
+  assert.deepEqual(refit(box, size, near), boxAround(near));
+  const nearly = [
+    { x: 1, y: 1 },
+    { x: 7, y: 7 },
+  ];
+  assert.equal(refit(box, size, nearly), box);
 });
