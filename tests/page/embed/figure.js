@@ -14,8 +14,8 @@ export function figureOf({ link, engine = createEngine() } = {}) {
   const paper = engine.paper();
   const first = firstState(engine, 'velocity-limits', atEnd);
   const store = createStore(first, () => {});
-  /** What the drives on screen come to in the place of runs, and that of a single robot with these gains. `waits`: how many answers have waited for them. @type {{ error: Error | null, of: (gains: readonly number[]) => Error | null, waits: number }} */
-  const held = { error: null, of: () => null, waits: 0 };
+  /** What the drives on screen come to in the place of runs, and that of a single robot with these gains. `waits`: how many answers have waited for them; `answers`: to the lesson’s questions. @type {{ error: Error | null, of: (gains: readonly number[]) => Error | null, waits: number, answers: ReturnType<import('../../../www/embed/messages.js').AnswersOf> }} */
+  const held = { error: null, of: () => null, waits: 0, answers: {} };
   /** @type {typeof engine.drive} */
   const drive = (from, gains) => {
     const error = held.error ?? (gains.length === 1 ? held.of(gains[0]) : null);
@@ -43,7 +43,7 @@ export function figureOf({ link, engine = createEngine() } = {}) {
       actions,
       links,
       seen,
-      answersOf: () => ({}),
+      answersOf: () => held.answers,
       whenSeen() {
         held.waits += 1;
         return sight.whenSeen(store.get);

@@ -285,3 +285,15 @@ test('a figure on its way to the generation of its link can be asked, and a paus
   for (const one of told) assert.equal(one.generations, told[0].generations);
   assert.ok(told[0].generations < most);
 });
+
+test('an answer to the lesson’s question is told once, as soon as the right one is known', async () => {
+  const { messages, said, held } = figureOf();
+  await messages.ready();
+  const law = { choice: 0, right: 1 };
+  for (const right of [null, 1, 1]) {
+    held.answers = { drive: { choice: 1, right }, law };
+    messages.announce();
+  }
+  const told = said.filter(({ type }) => type === 'answer').map(({ question }) => question);
+  assert.deepEqual(told, ['law', 'drive']);
+});
