@@ -71,11 +71,12 @@ test('who has the lowest J wins', async () => {
   const round = { seed: 1, evolution, random, champion: [1, 1, 1], drawn: [2, 2, 2] };
   const winnerWith = (/** @type {number} */ best) => judge(driven([30, best]), round).winner;
   assert.equal(winnerWith(12.5), 'you');
+  assert.equal(winnerWith(evolution[20]), 'you');
   assert.equal(winnerWith(12.7), 'evolution');
   assert.equal(judge(driven([30]), { ...round, random: evolution }).winner, 'both');
   assert.equal(judge(driven([30]), { ...round, random: evolution.map(() => 11) }).winner, 'random');
   assert.equal(judge(driven([30]), round).given, 420);
-  assert.equal(judge(driven([12.99]), round).passed, 40);
+  assert.equal(judge(driven([13]), round).passed, 40);
   assert.equal(judge(driven([7]), round).passed, null);
   assert.equal(lowestOf([]), Number.POSITIVE_INFINITY);
   // The line under the table says when that is, however far both have gone on.

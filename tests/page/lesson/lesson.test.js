@@ -205,6 +205,8 @@ for (const [i, { name, blocks }] of steps.entries())
       assert.doesNotMatch(String(why), /undefined|NaN|–/, `${name}.${block.name}`);
       const right = await page.evaluate((quiz) => document.querySelectorAll(`#${quiz} .right`).length, id);
       assert.equal(right, 1, `${name}.${block.name}`);
+      const unlocked = `#${id} .choice:not([aria-disabled="true"])`;
+      assert.equal((await page.elements(unlocked)).length, 0, `${name}.${block.name} is answered`);
     }
     // Whatever a question uncovers has its words.
     assert.doesNotMatch(await page.text('#lesson'), /undefined|NaN|\[object/);

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { Pending } from '../../../www/core/pending.js';
 import { isAskedIn } from '../../../www/lesson/questions/asked-in.js';
-import { settle } from '../../../www/lesson/questions/settle.js';
+import { restOf, settle } from '../../../www/lesson/questions/settle.js';
 import { progressSlice } from '../../../www/lesson/state.js';
 import { lapsed } from '../../../www/lesson/words/en.js';
 import { duel } from '../../../www/lesson/words/en/duel.js';
@@ -155,4 +155,10 @@ pageTest('a duel is predicted by who has driven', async (page) => {
   assert.equal(await why(), '');
   await page.click('#quiz-ahead .choice:first-child');
   await page.until('its answer', () => document.querySelector('#quiz-ahead .right'));
+});
+
+test('what still turns is not at rest', () => {
+  const still = Float64Array.of(1, 1, 1, 1);
+  const run = { time: Float64Array.of(0, 1, 2, 3), x: still, y: still, theta: Float64Array.of(0, 1, 2, 3) };
+  assert.equal(restOf(/** @type {any} */ (run)), 3);
 });

@@ -53,6 +53,7 @@ function createHands(t) {
     fire,
     window: globals,
     createSlider: () => new Input('range'),
+    createField: () => new Input(),
     experiment: live.state.experiment,
   };
 }
@@ -61,9 +62,10 @@ function createHands(t) {
 const by = (kx) => ({ handGains: [kx, 1, 5], gainErrors: ['', '', ''] });
 
 test('what counts is a drive with other gains than the link opened, made in this experiment', (t) => {
-  const { counted, experiment: first } = createHands(t);
+  const { counted, fire, createField, experiment: first } = createHands(t);
   assert.equal(counted({}), 0, 'what the link opened');
   assert.equal(counted({ gainErrors: ['no number', '', ''] }), 0, 'what was refused');
+  assert.equal(counted({ gainErrors: ['', '', ''] }), 0, 'what the link opened, typed once more');
   assert.equal(counted(by(4)), 1);
   assert.equal(counted(by(4), false), 1, 'nothing was moved');
   assert.equal(counted(by(3)), 2, 'back to what the link opened');
@@ -82,6 +84,8 @@ test('what counts is a drive with other gains than the link opened, made in this
   assert.equal(counted(by(2)), 1, 'of another experiment');
   assert.equal(counted({ experiment: first }, false), 1);
   assert.equal(counted(by(5)), 4, 'what was driven in this one stays');
+  fire('input', createField());
+  assert.equal(counted(by(9), false), 4, 'what is still being typed');
 });
 
 test('what a slider passes through does not count, whatever had the focus before; where it is let go does', (t) => {
