@@ -157,3 +157,15 @@ pageTest('σ over the generations is told with the numbers of the core', async (
   await page.click('#curve-choice-cost');
   assert.equal(await textOf(page, '#curve-title'), 'Fitness curve');
 });
+
+pageTest('which figure of the paper is drawn is said of its own experiments alone', async (page) => {
+  for (const [link, note] of /** @type {const} */ ([
+    ['', /^Figure 5 /],
+    ['&preset=acceleration-limits', /^Figure 7 /],
+    ['&goal.x=1', /^not in sight$/],
+  ])) {
+    await page.open(`#curves&v=1${link}&drives=paper-ep`);
+    await page.until('the curves are there', () => document.getElementById('curves-lines'));
+    assert.match(await textOf(page, '#curves-note'), note, link);
+  }
+});

@@ -177,6 +177,14 @@ pageTest('the cursor reads J, and a click drives those gains', async (page) => {
   const run = simulate(velocityLimits, [Number(kx), paperKy, Number(ktheta)]);
   assert.equal(cost, shown(run.cost.total));
   assert.match(outcome, run.arrived ? /^arrives/ : /^has not arrived/);
+  // What is the browser's stays so: another button, and keys with Ctrl.
+  const isLeft = await page.evaluate(() => {
+    const map = /** @type {HTMLElement} */ (document.getElementById('landscape-map'));
+    map.dispatchEvent(new PointerEvent('pointerdown', { button: 2 }));
+    const key = { key: 'ArrowRight', ctrlKey: true, cancelable: true };
+    return map.dispatchEvent(new KeyboardEvent('keydown', key));
+  });
+  assert.ok(isLeft);
   assert.equal((await read(page)).driver, 'paper-ep');
 
   await page.drag('#landscape-map', [{ x: axes.x.at(6), y: axes.y.at(2) }]);

@@ -4,7 +4,7 @@ import { seedRuns } from '../../../pkg/ep_locomotion.js';
 import { gainUnits } from '../../../www/core/rules.js';
 import { rangeOf } from '../../../www/parts/luck/curve.js';
 import { namesOf, placeWhereAlone } from '../../../www/parts/luck/curve-names.js';
-import { csvOf, quartilesOf } from '../../../www/parts/luck/statistics.js';
+import { csvOf, quartilesOf, summaryOf } from '../../../www/parts/luck/statistics.js';
 import { seedTable } from '../../../www/parts/luck/table.js';
 import { drivesOf, surveyOf } from '../../../www/parts/luck/request.js';
 import { luckSlice } from '../../../www/parts/luck/state.js';
@@ -273,3 +273,9 @@ pageTest(
     assert.deepEqual([driver, cost, gains], ['hand', shown(champion.cost), shownGains(champion.gains)]);
   },
 );
+
+test('with a seed that both searches end alike nobody has won', () => {
+  const run = { best: Float64Array.of(8), random: Float64Array.of(8) };
+  const champion = { gains: /** @type {const} */ ([1, 1, 1]), cost: 8 };
+  assert.equal(summaryOf([/** @type {any} */ ({ ...run, champion })]).randomWins, 0);
+});

@@ -185,3 +185,14 @@ pageTest('a pinned run is drawn in every picture, also from where it had another
   await page.click('#pin');
   assert.equal(await picture(), before);
 });
+
+pageTest(
+  'a penalty that a pin alone pays is compared, and starts that are others, as many as they are',
+  async (page) => {
+    const starts = (/** @type {number} */ x) => `0,0,0;${x},0,0`;
+    await page.open(`#curves&v=1&drives=paper-ep&start=${starts(1)}&pin1=a~-1,2,3~start:${starts(2)}`);
+    const { rows } = await comparison(page);
+    assert.equal(rows.penalty.length, 2);
+    assert.deepEqual(rows['Evolved on'], ['2 starts', '2 starts']);
+  },
+);
