@@ -168,3 +168,12 @@ pageTest(
     );
   },
 );
+
+test('hand-ins of nobody knows whom have not the name of their file', async () => {
+  const text = [1, 2].map((seed) => `${site}#lab&v=1&seed=${seed}`).join('\n');
+  const entries = await createReader(links.pages).readFile('export.txt', text);
+  assert.deepEqual(
+    entries.map(({ name }) => name),
+    ['', ''],
+  );
+});

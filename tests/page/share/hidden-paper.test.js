@@ -9,6 +9,7 @@ import { experiment, paperGains, simulate } from '../harness/core.js';
 import { ask, heardFrom, inHost, within } from '../harness/host.js';
 import { saved } from '../harness/saved.js';
 import { everything } from './everything.js';
+import { openMaker } from './making.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
@@ -150,4 +151,15 @@ pageTest('a figure that hides the paper’s gains sends none, and opens no lesso
       assert.equal(tellsPaper(JSON.stringify(await heardFrom(page, 0))), null);
     },
   );
+});
+
+pageTest('an exercise that is made to hide the paper’s gains has none in its link', async (page) => {
+  const gains = paperGains('velocity-limits', 'ep').join(',');
+  await openMaker(page, `#lab&v=1&drives=paper-ep&gains=${gains}&pin1=theirs~${gains}&pin2=mine~1,2,3`);
+  await page.click('#maker-paper-hidden');
+  const link = await page.until('it is hidden', () => {
+    const { value } = /** @type {HTMLInputElement} */ (document.getElementById('maker-link'));
+    return value.includes('hide=') && value.split('#')[1];
+  });
+  assert.match(link, /^lab&v=1&pin2=mine~1,2,3&hide=paper$/);
 });

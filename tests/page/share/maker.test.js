@@ -92,6 +92,8 @@ pageTest('every field of the maker has a name and room, and what is wrong is sai
   await page.press(Key.BACK_SPACE, Key.BACK_SPACE, Key.BACK_SPACE, '2');
   await page.until('the error is said', () => document.getElementById('maker-aim-error')?.checkVisibility());
   assert.match(await page.text('#maker-aim-error'), /^The share must be above 0 and at most 1/);
+  const wrong = () => page.evaluate(() => document.querySelector('#maker [aria-invalid="true"]')?.id);
+  assert.equal(await wrong(), 'maker-value');
   assert.deepEqual(await page.obstacles('#maker'), []);
   // What is not in the link is not handed out.
   const taken = () =>
