@@ -88,3 +88,11 @@ test('a column of times has the digits of its step', () => {
   ]))
     assert.equal(timeText(step, step), second);
 });
+
+test('what a gain below zero raises is blamed on nothing else', () => {
+  const experiment = createEngine().experiment('velocity-limits');
+  const gains = /** @type {const} */ ([-2, -2, -2]);
+  const summary = summaryOf(createEngine().stability(experiment, gains), experiment, gains);
+  assert.ok(summary.rising > 1 && summary.limited > 1);
+  assert.deepEqual([summary.raised, summary.causes], [[0, 1, 2], []]);
+});
