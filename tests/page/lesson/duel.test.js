@@ -286,16 +286,3 @@ pageTest('answers, trials and a locked duel outlast a reload of the tab', async 
   assert.ok(!(await page.evaluate(() => document.getElementById('duel-table')?.checkVisibility())));
   assert.equal(await textOf(page, 'duel-drives'), '0');
 });
-
-pageTest('who has not locked in themselves can start over for another contest', async (page) => {
-  await page.open('#lesson&step=duel');
-  await drive(page, 'kx', 1);
-  await page.click('#quiz-ahead .choice:first-child');
-  await page.until('the table', () => document.getElementById('duel-table')?.checkVisibility());
-  await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('[data-try="dear"]')).click());
-  await page.until('that it is another contest', () =>
-    /Start over/.test(document.getElementById('duel-status')?.textContent ?? ''),
-  );
-  await page.click('#duel-new');
-  await page.until('a new contest', () => document.getElementById('duel-lock')?.checkVisibility());
-});

@@ -155,6 +155,13 @@ pageTest('a duel is predicted by who has driven', async (page) => {
   assert.equal(await why(), '');
   await page.click('#quiz-ahead .choice:first-child');
   await page.until('its answer', () => document.querySelector('#quiz-ahead .right'));
+  // The prediction has locked it in, and another contest can be begun.
+  await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('[data-try="dear"]')).click());
+  await page.until('that it is another contest', () =>
+    /Start over/.test(document.getElementById('duel-status')?.textContent ?? ''),
+  );
+  await page.click('#duel-new');
+  await page.until('a new contest', () => document.getElementById('duel-lock')?.checkVisibility());
 });
 
 test('what still turns is not at rest', () => {
