@@ -1,6 +1,9 @@
 // What the lesson says of a ground that pushes is so, and its own views show what the core gives.
 import assert from 'node:assert/strict';
 import { withDisturbance } from '../../../www/run/scene.js';
+import { sizeText } from '../../../www/parts/disturbance/words/common.js';
+import * as en from '../../../www/lesson/words/en/disturbance.js';
+import * as ko from '../../../www/lesson/words/ko/disturbance.js';
 import { stepOf } from '../../../www/lesson/steps.js';
 import { pageTest } from '../harness/browsers.js';
 import {
@@ -93,6 +96,17 @@ test('a slip that turns leaves the set of (8) alone; near ky = 0 the set of (7) 
   assert.ok(error.theta[0] > sets.theta[0] && error.theta[0] < 1.1 * sets.theta[0]);
   assert.ok(error.x[0] < 1.001 * sets.x[0] && error.y[0] < sets.y[0]);
   assert.ok(disturbed(tryOf('disturbance', 'evolved')).remains.sets.y[0] > 2);
+});
+
+test('an inequality that hardly holds, or hardly does not, is told as such', () => {
+  for (const [{ holds }, just] of /** @type {const} */ ([
+    [en.disturbance, /, just (outside|in) its set of 0\.0309$/],
+    [ko.disturbance, /의 바로 (바깥쪽|안쪽)$/],
+  ]))
+    for (const isHeld of [true, false]) {
+      assert.match(holds.one(isHeld, '|x|', '0.0309', '0.0309'), just);
+      assert.doesNotMatch(holds.one(isHeld, '|x|', '0.0310', '0.0309'), /just|바로/);
+    }
 });
 
 test('from a start to the side all three hold most of the time', () => {
@@ -202,13 +216,13 @@ pageTest(
       ];
       assert.deepEqual(
         held,
-        inequalities.map(([size, set]) => Number(size.toFixed(3)) > Number(set.toFixed(3))),
+        inequalities.map(([size, set]) => size > set),
       );
       const promise = held.includes(false) ? 'promises nothing' : isCut(at) ? 'limits cut' : 'V falls';
       assert.ok(said.includes(promise), `${time} s: ${said}`);
       sayings.add(promise);
       for (const [i, sizes] of inequalities.entries())
-        for (const size of sizes) assert.ok(rows[i].includes(size.toFixed(3)), rows[i]);
+        for (const size of sizes) assert.ok(rows[i].includes(sizeText(size)), rows[i]);
     }
     assert.equal(sayings.size, 3, [...sayings].join());
     await page.open(`#${link.replace('disturbance&', 'disturbance&v=1&law=kanayama&')}&lesson=12`);

@@ -1,100 +1,10 @@
 import assert from 'node:assert/strict';
-import { median as middle } from 'd3-array';
 import { Key, pageTest } from '../harness/browsers.js';
-import { evolve, experiment, paperGains, remainingErrors, startsOnCircle } from '../harness/core.js';
-import { middleOf, readEvolution, readTable } from '../harness/reading.js';
+import { evolve } from '../harness/core.js';
+import { middleOf, readEvolution } from '../harness/reading.js';
+import { arbitrary, expected, numbersOf, preset, readPart, shows } from './disturbance-page.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
-/** @typedef {import('../harness/core.js').Experiment} Experiment */
-/** @typedef {import('../harness/core.js').Gains} Gains */
-/** @typedef {Partial<Experiment['disturbance']>} Disturbance */
-
-const preset = experiment('velocity-limits');
-const arbitrary = paperGains('velocity-limits', 'arbitrary');
-const parts = /** @type {const} */ (['x', 'y', 'theta']);
-const circle = { radius: Math.hypot(2, 2), count: 32, seed: 1 };
-
-/** @param {number} size */
-const shown = (size) => (size < 100 ? size.toFixed(3) : size.toFixed(0));
-
-/** What the core gives: in sight for each part this drive, its set and who of the others stays inside; in the table all of it. @param {Gains} gains @param {Disturbance} disturbance */
-function expected(gains, disturbance) {
-  const { x, y } = preset.goal;
-  const starts = [preset.starts[0], ...startsOnCircle({ ...circle, x, y })];
-  const tolerance = { position: 0, heading: 0 };
-  const measured = experiment({ ...preset, starts, tolerance, disturbance });
-  const { error, sets } = remainingErrors(measured, gains, 2);
-  const calm = remainingErrors({ ...measured, disturbance: { kind: 'none' } }, gains, 2).error;
-  const inside = (/** @type {'x' | 'y' | 'theta'} */ part, /** @type {number} */ start) =>
-    Number(shown(error[part][start])) <= Number(shown(sets[part][start]));
-  const others = starts.map((_, i) => i).slice(1);
-  const insideText = (/** @type {'x' | 'y' | 'theta'} */ part) =>
-    `${others.filter((start) => inside(part, start)).length}/32`;
-  const sizes = (/** @type {Float64Array} */ all) =>
-    [all[0], median(all), Math.max(...all.slice(1))].map(shown);
-  return {
-    rows: parts.map((part) => [shown(error[part][0]), shown(sets[part][0]), insideText(part)]),
-    calm: parts.map((part) => shown(calm[part][0])),
-    table: parts.flatMap((part) => [
-      [...sizes(error[part]), shown(sets[part][0]), insideText(part)],
-      ...(disturbance.kind === 'none' ? [] : [[...sizes(calm[part]), '', '']]),
-    ]),
-    allInside: others.filter((start) => parts.every((part) => inside(part, start))).length,
-    isInside: parts.every((part) => inside(part, 0)),
-  };
-}
-
-/** Of all but the first. @param {Float64Array} sizes */
-const median = (sizes) => middle(sizes.slice(1)) ?? 0;
-
-/** What a person reads of the part, once it is measured. @param {Page} page */
-async function readPart(page) {
-  await page.until('what remains is measured', async () => {
-    await new Promise((resolve) => requestAnimationFrame(resolve));
-    return document.getElementById('disturbance')?.getAttribute('aria-busy') === 'false';
-  });
-  return page.evaluate(() => {
-    const cells = [...document.querySelectorAll('#remains-rows tr')].map((row) => [
-      ...row.querySelectorAll('td'),
-    ]);
-    const text = (/** @type {Element | null | undefined} */ element) => element?.textContent ?? '';
-    return {
-      rows: cells.map((row) => row.map((cell) => text(cell.querySelector('span') ?? cell))),
-      calm: cells.map(([drive]) => text(drive.querySelector('small'))),
-      text: text(document.getElementById('remains-text')),
-      clock: text(document.getElementById('clock')),
-      legend: text(document.querySelector('#legend .dashed')),
-    };
-  });
-}
-
-/** Waits until the table shows these rows, and reads the part then. @param {Page} page @param {string[][]} rows */
-async function shows(page, rows) {
-  const isShown = page.until(
-    'the table shows what the core measures',
-    (wanted) =>
-      wanted ===
-      JSON.stringify(
-        [...document.querySelectorAll('#remains-rows tr')].map((row) =>
-          [...row.querySelectorAll('td')].map((cell) => (cell.querySelector('span') ?? cell).textContent),
-        ),
-      ),
-    JSON.stringify(rows),
-  );
-  await isShown.catch(async () => assert.deepEqual((await readPart(page)).rows, rows));
-  return readPart(page);
-}
-
-/** The numbers of all rows, whose names are what they should be. @param {Page} page */
-async function numbersOf(page) {
-  const [head, ...rows] = await readTable(page, 'disturbance-table');
-  assert.equal(
-    head.join(),
-    'error,this drive,median of 32 other starts,largest of them,its set,others inside',
-  );
-  for (const [name, ...numbers] of rows) assert.equal(name.endsWith('undisturbed'), numbers.at(-1) === '');
-  return rows.map(([, ...numbers]) => numbers);
-}
 
 pageTest('where Theorem 2 promises nothing there are no sets', async (page) => {
   for (const [link, isPromised] of /** @type {const} */ ([
@@ -109,7 +19,7 @@ pageTest('where Theorem 2 promises nothing there are no sets', async (page) => {
       sets.every((text) => (text === '–') !== isPromised),
       `${link}: ${sets}`,
     );
-    const marked = () => document.querySelectorAll('#remains .beyond, #remains-legend .set').length;
+    const marked = () => document.querySelectorAll('#remains .outside, #remains-legend .set').length;
     assert.equal((await page.evaluate(marked)) > 0, isPromised, link);
   }
 });
@@ -143,11 +53,15 @@ pageTest('what remains is what the core measures, for each kind of disturbance',
   ])) {
     await page.click(`#disturbance-kind-${kind}`);
     const core = expected(arbitrary, disturbance);
-    const { calm, text, clock, legend } = await shows(page, core.rows);
+    const { calm, places, text, clock, legend } = await shows(page, core.rows);
+    assert.deepEqual(places, core.places, kind);
     assert.deepEqual(calm, core.calm, kind);
     assert.deepEqual(await numbersOf(page), core.table, kind);
-    assert.ok(text.includes(`Of 32 other starts, ${core.allInside} stay within reach of all three`), text);
-    assert.equal(text.includes('this drive stays within reach of all three sets'), core.isInside, text);
+    assert.match(text, new RegExp(`Of 32 other starts, ${core.allInside} stays? within reach of all three`));
+    const atEdge = core.leavesNone - core.allInside;
+    assert.equal(/, (\d+) comes? to an edge/.exec(text)?.[1] ?? '0', String(atEdge), text);
+    const isInside = core.places.every((place) => place === 'inside');
+    assert.equal(text.includes('this drive stays within reach of all three sets'), isInside, text);
     // Nobody arrives, and the robot is compared with itself.
     assert.match(clock, /of 10\.00 s/);
     assert.match(legend, /without the disturbance/);
@@ -166,6 +80,20 @@ pageTest(
     const core = expected(evolve(preset).gains, { kind: 'slip', linear: 0.1, angular: 0.2 });
     const { text } = await shows(page, core.rows);
     assert.equal(text.includes('promises little'), Number(core.rows[1][1]) >= 1, text);
+  },
+);
+
+pageTest(
+  'where the experiment has a disturbance of its own the part says that another is tried',
+  async (page) => {
+    const own = 'disturbance.kind=random&disturbance.linear=0.1&disturbance.angular=0.1';
+    const note = () => page.text('#disturbance-note');
+    await page.open(`#disturbance&v=1&${own}`);
+    await readPart(page);
+    assert.equal(await note(), 'only tried here; in the experiment: random, 0.1 m/s, 0.1 rad/s');
+    await page.open(`#disturbance&v=1&${own}&under=random,0.1,0.1,1`);
+    await readPart(page);
+    assert.match(await note(), /drawn afresh/);
   },
 );
 

@@ -2,7 +2,7 @@
 import { html, nothing, render } from 'lit-html';
 import { create } from '../../kit/elements.js';
 import { disturbanceSlice } from '../../parts/disturbance/state.js';
-import { isInside, parts } from '../../parts/disturbance/summary.js';
+import { parts } from '../../parts/disturbance/summary.js';
 import { watch } from '../../kit/memo.js';
 import names from '../../parts/disturbance/words/index.js';
 import { inline } from '../prose.js';
@@ -30,7 +30,7 @@ export function createTheoremNow(_tools, { holds: words }) {
       if (spec.experiment.law !== 'shim-kim') return render(nothing, element);
       const found = parts.map((part) => {
         const [size, set] = [runs[0][part][at], part === 'y' ? runs[0].ySet[at] : disturbed.sets[part][0]];
-        const holds = set === 0 || !isInside(size, set);
+        const holds = set === 0 || size > set;
         const bound = set === 0 ? null : names.sizeText(set);
         return { part, holds, text: words.one(holds, names.formulaText(part), names.sizeText(size), bound) };
       });

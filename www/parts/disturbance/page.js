@@ -1,5 +1,6 @@
 // The part of the page that shows what error remains under a disturbance, against the sets of Theorem 2.
 /** @import { Page, Tools } from '../part.js' */
+/** @typedef {import('../../core/engine.js').Experiment['disturbance']} Disturbance */
 import './style.css';
 import './places.css';
 import { html, render } from 'lit-html';
@@ -12,8 +13,11 @@ import { createControls } from './controls.js';
 import { createPlots } from './plots.js';
 import { createRequests, createSpec } from './request.js';
 import { disturbanceSlice } from './state.js';
-import { summarize } from './summary.js';
+import { hasAnother, summarize } from './summary.js';
 import { remainsTable, tableOf } from './table.js';
+
+/** What is added, or that the experiment adds something else. @param {Disturbance} tried @param {Disturbance} own */
+const noteOf = (tried, own) => (hasAnother(own, tried) ? words.ownText(own) : words.kindText(tried));
 
 /** @param {Tools} tools @returns {Page} */
 export function createPage(tools) {
@@ -35,16 +39,17 @@ export function createPage(tools) {
       const { tried, theme } = state;
       const { error, measured, message } = disturbanceSlice.of(state);
       const spec = specOf(state);
+      const own = state.experiment.disturbance;
       requests.follow(spec);
       const isStale = measured?.spec !== spec && !message;
-      if (changed(tried, error, message, measured, isStale)) {
+      if (changed(tried, own, error, message, measured, isStale)) {
         element.setAttribute('aria-busy', String(isStale));
         render(
           html`
             <div class="heading">
               <h2 id="disturbance-title">${words.texts.disturbanceTitle}</h2>
               ${tableButton('disturbance', () => measured && remainsTable(summaryOf(measured)))}
-              <p id="disturbance-note" class=${message ? 'field-error' : 'muted'}>${message ? words.failed(message, measured !== null) : words.kindText(tried)}</p>
+              <p id="disturbance-note" class=${message ? 'field-error' : 'muted'}>${message ? words.failed(message, measured !== null) : noteOf(tried, own)}</p>
             </div>
             ${controlsOf(tried, error)} ${tableOf(measured && summaryOf(measured))}`,
           element,

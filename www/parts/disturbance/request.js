@@ -8,13 +8,14 @@ import { remember } from '../../kit/memo.js';
 import { endsOf } from '../../run/state.js';
 import { gainsOf } from '../../run/drivers.js';
 import { undisturbed, withDisturbance } from '../../run/scene.js';
+import { usualStarts } from './summary.js';
 
 /** @typedef {import('../../core/engine.js').ErrorParts} ErrorParts */
 /** The experiment's first start is that of the drive. @typedef {{ experiment: Experiment, gains: Triple, seconds: number }} Spec */
 /** @typedef {{ spec: Spec, runs: ErrorParts[], disturbed: RemainingErrors, calm: RemainingErrors }} Measured One value for each start. */
 
 /** The other starts: as far from the goal as the paper's, all around. */
-const circle = { radius: Math.hypot(2, 2), count: 32, seed: 1 };
+const circle = { radius: Math.hypot(2, 2), count: usualStarts, seed: 1 };
 /** What remains is measured at the end of the run. */
 const measuredSeconds = 2;
 /** Most samples of all starts together: more would be slow to drive and to draw. */

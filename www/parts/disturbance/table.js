@@ -41,9 +41,9 @@ function rowOf(part, summary) {
         <span class="remains-formula">${formula(words.formulas[part])}<span>${words.axisUnit(part)}</span></span>
         <div class="remains-plot layers" role="img" aria-label=${summary ? words.plotLabel(part, summary) : nothing}><canvas></canvas><canvas></canvas></div>
       </th>
-      <td class=${hasSet && numbers && !numbers.isInside && numbers.set > 0 ? 'beyond' : ''}>${cell(numbers?.drive, summary?.disturbed ? words.sizeText(summary.calm[part].drive) : '')}</td>
+      <td class=${(hasSet && numbers?.place) || ''}>${cell(numbers?.drive, summary?.disturbed ? words.sizeText(summary.calm[part].drive) : '')}</td>
       <td title=${words.equationHints[part]}>${hasSet ? cell(numbers?.set, words.equations[part]) : words.none}</td>
-      <td>${summary && insideOf(summary, part)}</td>
+      <td>${summary && othersOf(summary, part)}</td>
     </tr>`;
 }
 
@@ -51,9 +51,18 @@ function rowOf(part, summary) {
 const cell = (number, below) =>
   html`<span>${number === undefined ? '' : words.sizeText(number)}</span><small>${below}</small>`;
 
-/** @param {Summary} summary @param {PartName} part */
-const insideOf = (summary, part) =>
-  words.isPromised(summary) ? words.insideText(summary.rows[part].inside, summary.starts) : words.none;
+/** How many others lie there beside their sets. @param {Summary} summary @param {PartName} part @param {'inside' | 'edge'} place */
+const countOf = (summary, part, place) =>
+  words.isPromised(summary) && summary.pushed.includes(part)
+    ? words.shareText(summary.rows[part][place], summary.starts)
+    : words.none;
+
+/** How many others stay inside, and beneath how many are on the edge. @param {Summary} summary @param {PartName} part */
+const othersOf = (summary, part) => {
+  const { place, edge } = summary.rows[part];
+  const isOnEdge = words.isPromised(summary) && place !== null && edge > 0;
+  return html`<span>${countOf(summary, part, 'inside')}</span><small>${isOnEdge ? `${words.edgeMark} ${edge}` : ''}</small>`;
+};
 
 /** All numbers, each part of the error also undisturbed. @param {Summary} summary @returns {Table} */
 export function remainsTable(summary) {
@@ -64,9 +73,10 @@ export function remainsTable(summary) {
       words.measureText(part),
       ...sizes(summary.rows[part]),
       words.isPromised(summary) ? words.sizeText(summary.rows[part].set) : words.none,
-      insideOf(summary, part),
+      countOf(summary, part, 'inside'),
+      countOf(summary, part, 'edge'),
     ];
-    const calm = [words.calmText(part), ...sizes(summary.calm[part]), '', ''];
+    const calm = [words.calmText(part), ...sizes(summary.calm[part]), '', '', ''];
     return summary.disturbed ? [disturbed, calm] : [disturbed];
   });
   return {
@@ -77,6 +87,7 @@ export function remainsTable(summary) {
       ...words.othersColumns(summary.starts),
       texts.remainsSet,
       texts.remainsInside,
+      texts.remainsEdge,
     ],
     count: rows.length,
     rowOf: (i) => rows[i],

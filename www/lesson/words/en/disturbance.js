@@ -21,12 +21,13 @@ export const disturbance = {
   },
   holds: {
     /** @param {boolean} holds @param {string} formula @param {string} size @param {string | null} set Null: nothing pushes against it. */
-    one: (holds, formula, size, set) =>
-      set === null
-        ? 'holds: nothing pushes'
-        : holds
-          ? `holds: ${formula} is ${size}, outside its set of ${set}`
-          : `does not hold: ${formula} is ${size}, in its set of ${set}`,
+    one: (holds, formula, size, set) => {
+      if (set === null) return 'holds: nothing pushes';
+      const just = size === set ? 'just ' : '';
+      return holds
+        ? `holds: ${formula} is ${size}, ${just}outside its set of ${set}`
+        : `does not hold: ${formula} is ${size}, ${just}in its set of ${set}`;
+    },
     /** @param {number} time @param {number} count @param {boolean} isCut Whether the limits leave less of the command. */
     all: (time, count, isCut) =>
       count < 3

@@ -21,12 +21,13 @@ export const disturbance = {
   },
   holds: {
     /** @param {boolean} holds @param {string} formula @param {string} size @param {string | null} set Null: nothing pushes against it. */
-    one: (holds, formula, size, set) =>
-      set === null
-        ? '성립: 외란 없음'
-        : holds
-          ? `성립: ${formula} = ${size}, 경계 ${set}의 바깥쪽`
-          : `불성립: ${formula} = ${size}, 경계 ${set}의 안쪽`,
+    one: (holds, formula, size, set) => {
+      if (set === null) return '성립: 외란 없음';
+      const just = size === set ? '바로 ' : '';
+      return holds
+        ? `성립: ${formula} = ${size}, 경계 ${set}의 ${just}바깥쪽`
+        : `불성립: ${formula} = ${size}, 경계 ${set}의 ${just}안쪽`;
+    },
     /** @param {number} time @param {number} count @param {boolean} isCut Whether the limits leave less of the command. */
     all: (time, count, isCut) =>
       count < 3

@@ -1,8 +1,20 @@
 // Every word of the disturbance part.
 /** @import { Experiment } from '../../../core/engine.js' */
 /** @import { PartName, Summary } from '../summary.js' */
-import { amount, crestSeconds, formulaText, isPromised, parts, unitOf } from './common.js';
-import { sixDigits, threeDigits } from '../../../words/en/numbers.js';
+import { edgePercent, usualStarts } from '../summary.js';
+import {
+  amount,
+  crestSeconds,
+  edgeMark,
+  equations,
+  farthestOf,
+  formulaText,
+  hasEdge,
+  isPromised,
+  parts,
+  unitOf,
+} from './common.js';
+import { grouped, sixDigits, threeDigits } from '../../../words/en/numbers.js';
 
 export * from './common.js';
 
@@ -16,7 +28,8 @@ export const texts = {
   remainsDrive: 'this drive',
   remainsSet: 'its set',
   remainsInside: 'others inside',
-  remainsInsideHint: 'How many stay, in these seconds, within the farthest reach of their own set',
+  remainsInsideHint: `How many stay, in these seconds, within the farthest reach of their own set; ${edgeMark}: how many come to its edge`,
+  remainsEdge: 'others on the edge',
 };
 
 export const kindLegend = 'Kind of disturbance';
@@ -34,6 +47,10 @@ export const kindText = ({ kind, seed }) =>
     random: `|δ1| ≤ ε1, |δ2| ≤ ε2, drawn afresh at each sample; draw ${seed}`,
     slip: 'δ1 and δ2 are added to v and ω, the same at every sample',
   })[kind];
+
+/** Where the experiment has another. @param {Experiment['disturbance']} own */
+export const ownText = ({ kind, linear, angular }) =>
+  `only tried here; in the experiment: ${kind}, ${threeDigits(linear)} m/s, ${threeDigits(angular)} rad/s`;
 
 /** @param {string} message @param {boolean} kept */
 export const failed = (message, kept) =>
@@ -56,8 +73,8 @@ export const tableCaption = (seconds) =>
 /** @param {number} seconds */
 export const lastText = (seconds) => `last ${sixDigits(seconds)} s`;
 /** @param {Summary} summary */
-export const captionText = ({ seconds, disturbed }) =>
-  `largest of the ${lastText(seconds)}${disturbed ? '; small: undisturbed' : ''}`;
+export const captionText = (summary) =>
+  `largest of the ${lastText(summary.seconds)}${summary.disturbed ? '; small: undisturbed' : ''}${hasEdge(summary) ? `; ${edgeMark}: within ${edgePercent} % of the edge` : ''}`;
 
 export const legend = {
   solid: 'this drive',
@@ -79,38 +96,57 @@ export const plotLabel = (part, summary) => {
 
 /** What came out, in whole sentences. @param {Summary} summary */
 export function summaryText(summary) {
-  return [driveText(summary), othersText(summary), theoremText(summary)].filter(Boolean).join(' ');
+  return [driveText(summary), othersText(summary), fewText(summary), theoremText(summary)]
+    .filter(Boolean)
+    .join(' ');
 }
+
+/** @param {readonly PartName[]} of */
+const setsText = (of) =>
+  of.length === 3
+    ? 'all three sets'
+    : `set${of.length > 1 ? 's' : ''} ${of.map((part) => equations[part]).join(' and ')}`;
 
 /** @param {Summary} summary */
 function driveText(summary) {
-  const { rows, seconds, disturbed } = summary;
+  const { rows, pushed, seconds, disturbed } = summary;
   const last = `In the last ${sixDigits(seconds)} s`;
   if (!disturbed || !isPromised(summary)) {
     const left = parts.map((part) => `${formulaText(part)} ${amount(part, rows[part].drive)}`).join(', ');
     const promise = isPromised(summary) ? 'Without a disturbance, Theorem 2 lets the error go to 0. ' : '';
     return `${promise}${last} this drive still has up to ${left}.`;
   }
-  const outside = parts.filter((part) => !rows[part].isInside);
-  if (outside.length === 0) return `${last} this drive stays within reach of all three sets.`;
+  const { outside, edge } = farthestOf(summary);
+  if (outside.length === 0)
+    return edge.length === 0
+      ? `${last} this drive stays within reach of ${setsText(pushed)}.`
+      : `${last} this drive comes within ${edgePercent} % of the edge of ${setsText(edge)}.`;
   const excess = outside.map(
     (part) =>
-      `${formulaText(part)} is up to ${amount(part, rows[part].drive)}, its set reaches to ${amount(part, rows[part].set)}`,
+      `${formulaText(part)} reaches to ${amount(part, rows[part].drive)}, its set to ${amount(part, rows[part].set)}`,
   );
-  return `${last} this drive leaves ${outside.length === 3 ? 'all three sets' : outside.length === 2 ? 'two sets' : 'one set'}: ${excess.join('; ')}.`;
+  return `${last} this drive leaves ${setsText(outside)}: ${excess.join('; ')}.`;
 }
 
 /** @param {Summary} summary */
 function othersText(summary) {
-  const { calm, starts, allInside, worst, disturbed } = summary;
+  const { calm, starts, allInside, allEdge, pushed, worst, disturbed } = summary;
   const most = `up to ${amount(worst, calm[worst].largest)} of ${formulaText(worst)} remain`;
   if (!isPromised(summary))
     return `From ${startsText(starts)}, ${disturbed ? 'even undisturbed, ' : ''}${most}.`;
+  const all = pushed.length === 3 ? 'all three' : setsText(pushed);
+  const atEdge = `, ${allEdge} ${allEdge === 1 ? 'comes' : 'come'} to an edge and at most ${edgePercent} % beyond it`;
   const others = disturbed
-    ? `Of ${startsText(starts)}, ${allInside} ${allInside === 1 ? 'stays' : 'stay'} within reach of all three; even undisturbed, ${most}`
+    ? `Of ${startsText(starts)}, ${allInside} ${allInside === 1 ? 'stays' : 'stay'} within reach of ${all}${allEdge > 0 ? atEdge : ''}; even undisturbed, ${most}`
     : `From ${startsText(starts)}, ${most}`;
   return `${others}: the theorem does not say how soon, and knows no limits and no samples.`;
 }
+
+/** Why there are so few others. @param {Summary} summary */
+const fewText = ({ starts, horizon, samples }) =>
+  starts < usualStarts
+    ? `Only ${startsText(starts)} instead of ${usualStarts}: a drive of ${sixDigits(horizon)} s has ${grouped(samples)} samples.`
+    : '';
 
 /** Why the theorem is not about this drive, or a set so wide that it says nothing. @param {Summary} summary */
 function theoremText({ law, isPositive, rows, ky, disturbed }) {

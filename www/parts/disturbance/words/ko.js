@@ -1,8 +1,20 @@
 // Every word of the disturbance part, in Korean.
 /** @import { Experiment } from '../../../core/engine.js' */
 /** @import { PartName, Summary } from '../summary.js' */
-import { amount, crestSeconds, formulaText, isPromised, parts, unitOf } from './common.js';
-import { sixDigits, threeDigits } from '../../../words/ko/numbers.js';
+import { edgePercent, usualStarts } from '../summary.js';
+import {
+  amount,
+  crestSeconds,
+  edgeMark,
+  equations,
+  farthestOf,
+  formulaText,
+  hasEdge,
+  isPromised,
+  parts,
+  unitOf,
+} from './common.js';
+import { grouped, sixDigits, threeDigits } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
 
@@ -16,7 +28,8 @@ export const texts = {
   remainsDrive: '이 주행',
   remainsSet: '집합',
   remainsInside: '안에\u00a0남은 출발점',
-  remainsInsideHint: '이 시간 동안 오차가 자기 집합의 최대 범위를 벗어나지 않은 다른 출발점의 수',
+  remainsInsideHint: `이 시간 동안 오차가 자기 집합의 최대 범위 안에 머문 다른 출발점의 수. ${edgeMark}: 경계에 이른 출발점의 수`,
+  remainsEdge: '경계에 이른 출발점',
 };
 
 export const kindLegend = '외란의 종류';
@@ -35,6 +48,10 @@ export const kindText = ({ kind, seed }) =>
     slip: 'v와 ω에 모든 샘플에서 똑같이 δ1과 δ2를 각각 더합니다',
   })[kind];
 
+/** Where the experiment has another. @param {Experiment['disturbance']} own */
+export const ownText = ({ kind, linear, angular }) =>
+  `여기서만 시험합니다. 실험의 외란: ${kind === 'random' ? '무작위' : '미끄러짐'}, ${threeDigits(linear)} m/s, ${threeDigits(angular)} rad/s`;
+
 /** @param {string} message @param {boolean} kept */
 export const failed = (message, kept) =>
   `${kept ? '마지막으로 계산된 결과입니다' : '계산하지 못했습니다'}: ${message}`;
@@ -52,8 +69,8 @@ export const tableCaption = (seconds) => `남은 오차: 마지막 ${sixDigits(s
 /** @param {number} seconds */
 export const lastText = (seconds) => `마지막 ${sixDigits(seconds)}초`;
 /** @param {Summary} summary */
-export const captionText = ({ seconds, disturbed }) =>
-  `마지막 ${sixDigits(seconds)}초의 최댓값${disturbed ? '. 작은 글씨: 외란 없음' : ''}`;
+export const captionText = (summary) =>
+  `마지막 ${sixDigits(summary.seconds)}초의 최댓값${summary.disturbed ? '. 작은 글씨: 외란 없음' : ''}${hasEdge(summary) ? `. ${edgeMark}: 경계에서 ${edgePercent}% 이내` : ''}`;
 
 export const legend = {
   solid: '이 주행',
@@ -78,38 +95,53 @@ export const plotLabel = (part, summary) => {
 
 /** What came out, in whole sentences. @param {Summary} summary */
 export function summaryText(summary) {
-  return [driveText(summary), othersText(summary), theoremText(summary)].filter(Boolean).join(' ');
+  return [driveText(summary), othersText(summary), fewText(summary), theoremText(summary)]
+    .filter(Boolean)
+    .join(' ');
 }
+
+/** @param {readonly PartName[]} of */
+const setsText = (of) =>
+  of.length === 3 ? '세 집합' : `집합 ${of.map((part) => equations[part]).join(', ')}`;
 
 /** @param {Summary} summary */
 function driveText(summary) {
-  const { rows, seconds, disturbed } = summary;
+  const { rows, pushed, seconds, disturbed } = summary;
   const last = `마지막 ${sixDigits(seconds)}초 동안`;
   if (!disturbed || !isPromised(summary)) {
     const left = parts.map((part) => `${formulaText(part)} ${amount(part, rows[part].drive)}`).join(', ');
     const promise = isPromised(summary) ? '외란이 없으면 정리 2에 따라 오차는 0에 수렴합니다. ' : '';
     return `${promise}${last} 이 주행에 남은 최대 오차: ${left}.`;
   }
-  const outside = parts.filter((part) => !rows[part].isInside);
-  if (outside.length === 0) return `${last} 이 주행은 세 집합의 최대 범위를 벗어나지 않습니다.`;
+  const { outside, edge } = farthestOf(summary);
+  if (outside.length === 0)
+    return edge.length === 0
+      ? `${last} 이 주행은 ${setsText(pushed)}의 최대 범위 안에 머뭅니다.`
+      : `${last} 이 주행은 ${setsText(edge)}의 경계에서 ${edgePercent}% 이내에 이릅니다.`;
   const excess = outside.map(
     (part) =>
       `${formulaText(part)} 최대 ${amount(part, rows[part].drive)}(집합의 경계 ${amount(part, rows[part].set)})`,
   );
-  const count = outside.length === 3 ? '세 집합을 모두' : outside.length === 2 ? '두 집합을' : '한 집합을';
-  return `${last} 이 주행은 ${count} 벗어납니다: ${excess.join('; ')}.`;
+  return `${last} 이 주행은 ${setsText(outside)}의 최대 범위를 벗어납니다: ${excess.join('; ')}.`;
 }
 
 /** @param {Summary} summary */
 function othersText(summary) {
-  const { calm, starts, allInside, worst, disturbed } = summary;
+  const { calm, starts, allInside, allEdge, pushed, worst, disturbed } = summary;
   const most = `남는 최대 오차는 ${formulaText(worst)} ${amount(worst, calm[worst].largest)}입니다.`;
   if (!isPromised(summary)) return `${startsText(starts)}에서 ${disturbed ? '외란이 없어도 ' : ''}${most}`;
+  const atEdge = `머물고, ${allEdge}개는 경계에 이르지만 ${edgePercent}% 넘게 벗어나지는 않습니다`;
   const others = disturbed
-    ? `${startsText(starts)} 중 ${allInside}개가 세 집합의 최대 범위를 벗어나지 않습니다. 외란이 없어도 ${most}`
+    ? `${startsText(starts)} 중 ${allInside}개가 ${setsText(pushed)}의 최대 범위 안에 ${allEdge > 0 ? atEdge : '머뭅니다'}. 외란이 없어도 ${most}`
     : `${startsText(starts)}에서 ${most}`;
   return `${others} 정리는 얼마나 빨리 줄어드는지 말하지 않으며, 제한과 샘플링도 고려하지 않습니다.`;
 }
+
+/** Why there are so few others. @param {Summary} summary */
+const fewText = ({ starts, horizon, samples }) =>
+  starts < usualStarts
+    ? `${sixDigits(horizon)}초의 주행에는 샘플이 ${grouped(samples)}개 있으므로 다른 출발점은 ${usualStarts}개가 아니라 ${starts}개입니다.`
+    : '';
 
 /** Why the theorem is not about this drive, or a set so wide that it says nothing. @param {Summary} summary */
 function theoremText({ law, isPositive, rows, ky, disturbed }) {
