@@ -4,14 +4,16 @@
 /** @typedef {{ left: number, right: number, bottom: number, top: number }} Box Metres. */
 /** @typedef {ReturnType<typeof createView>} View */
 
-/** From a posture to the knob that turns it, in pixels. */
-const knobDistance = 52;
+/** From a posture to the knob that turns it, in pixels: as it is where there is room, and at least so far that it stands before the arrow. */
+const knobDistance = { usual: 52, least: 26 };
+/** What is seen of a knob, in pixels from its centre, and some paper. */
+const knobMargin = 8;
 const smallestSpan = 0.8;
 
 /** The pixels that start and goal keep free at each edge, so that no handle lies under a note or outside. @param {{ width: number, height: number }} size */
 function insets({ width, height }) {
   const side = width < 560 ? { left: 64, right: 56 } : { left: 96, right: 88 };
-  if (height < 170) return { ...side, top: 22, bottom: 36 };
+  if (height < 170) return { ...side, top: knobDistance.least + knobMargin, bottom: 36 };
   if (height < 280) return { ...side, top: 44, bottom: 40 };
   return height < 440 ? { ...side, top: 96, bottom: 64 } : { ...side, top: 96, bottom: 104 };
 }
@@ -84,14 +86,22 @@ export function refit(box, size, points) {
   return outside || createView(next, size).scale > 1.6 * view.scale ? next : box;
 }
 
-/** Where the knob that turns a posture is drawn; never outside the plane. @param {View} view @param {Point & { theta: number }} posture */
-export function knobOf(view, { x, y, theta }) {
-  return keepInside(
-    view,
-    view.screenX(x) + knobDistance * Math.cos(theta),
-    view.screenY(y) - knobDistance * Math.sin(theta),
-  );
+/**
+ * Where the knob that turns a posture is drawn: straight ahead of it, nearer where the plane ends before. Only of a posture that is
+ * just being moved to the edge it may lie outside.
+ * @param {View} view @param {Point & { theta: number }} posture
+ */
+export function knobOf({ width, height, screenX, screenY }, { x, y, theta }) {
+  const [ahead, down] = [Math.cos(theta), -Math.sin(theta)];
+  const [px, py] = [screenX(x), screenY(y)];
+  const room = Math.min(roomAhead(px, ahead, width), roomAhead(py, down, height));
+  const distance = Math.max(knobDistance.least, Math.min(knobDistance.usual, room));
+  return { px: px + distance * ahead, py: py + distance * down };
 }
+
+/** How far one may go until the plane ends on this axis. @param {number} from @param {number} step A pixel of the way, on this axis. @param {number} end */
+const roomAhead = (from, step, end) =>
+  step === 0 ? Number.POSITIVE_INFINITY : ((step > 0 ? end - knobMargin : knobMargin) - from) / step;
 
 /** @param {{ width: number, height: number }} size @param {number} px @param {number} py */
 export function keepInside({ width, height }, px, py) {

@@ -146,11 +146,11 @@ function drawPostureNames(context, names) {
 function drawTarget(context, view, posture, token) {
   const knob = knobOf(view, posture);
   const [px, py] = [view.screenX(posture.x), view.screenY(posture.y)];
-  const angle = Math.atan2(knob.py - py, knob.px - px);
+  const [ahead, down] = [Math.cos(posture.theta), -Math.sin(posture.theta)];
   take(context, { token: '--muted', width: 1 });
   context.beginPath();
-  context.moveTo(px + sizes.posture * Math.cos(angle), py + sizes.posture * Math.sin(angle));
-  context.lineTo(knob.px - 5 * Math.cos(angle), knob.py - 5 * Math.sin(angle));
+  context.moveTo(px + sizes.posture * ahead, py + sizes.posture * down);
+  context.lineTo(knob.px - 5 * ahead, knob.py - 5 * down);
   context.moveTo(knob.px + 5, knob.py);
   context.arc(knob.px, knob.py, 5, 0, 2 * Math.PI);
   context.stroke();

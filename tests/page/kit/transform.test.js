@@ -1,7 +1,7 @@
 // Between the plane in metres and a picture in pixels.
 import assert from 'node:assert/strict';
 import fc from 'fast-check';
-import { boxAround, createView, refit, viewAround } from '../../../www/kit/transform.js';
+import { boxAround, createView, knobOf, refit, viewAround } from '../../../www/kit/transform.js';
 import { test } from '../harness/once.js';
 
 const number = fc.double({ min: -20, max: 20, noNaN: true });
@@ -52,4 +52,25 @@ test('where little of the picture is left to what must be seen, the box comes ne
     { x: 7, y: 7 },
   ];
   assert.equal(refit(box, size, nearly), box);
+});
+
+test('the knob of a posture lies straight ahead of it, within the plane and before its arrow, wherever the plane ends', () => {
+  const room = fc.record({
+    width: fc.integer({ min: 240, max: 2000 }),
+    height: fc.integer({ min: 110, max: 1200 }),
+  });
+  const theta = fc.double({ min: -Math.PI, max: Math.PI, noNaN: true });
+  fc.assert(
+    fc.property(room, point, point, theta, ({ width, height }, start, goal, theta) => {
+      const view = createView(boxAround([start, goal]), { width, height });
+      const { px, py } = knobOf(view, { ...goal, theta });
+      const [across, up] = [px - view.screenX(goal.x), view.screenY(goal.y) - py];
+      isNear(Math.cos(Math.atan2(up, across) - theta), 1);
+      const away = Math.hypot(across, up);
+      assert.ok(away > 25.9 && away < 52.1, `${away} px away`);
+      const inside = Math.min(px, width - px, py, height - py);
+      assert.ok(inside > 7.9, `${inside} px within the edge`);
+    }),
+    { numRuns: 1000 },
+  );
 });

@@ -2,6 +2,8 @@
 import assert from 'node:assert/strict';
 import { Key, pageTest } from '../harness/browsers.js';
 import { fields } from '../harness/core.js';
+import { middleOf } from '../harness/reading.js';
+import { endSurrounding, follow, surround } from '../whole/surround.js';
 
 pageTest(
   'what is moved alone becomes whole centimetres, what is turned alone whole degrees',
@@ -65,5 +67,57 @@ pageTest(
         const step = part === 'heading' ? -5 : 0.1;
         assert.ok(Math.abs(after.ariaValueNow - before.ariaValueNow - step) < 1e-6, id);
       }
+  },
+);
+
+/** How each posture is said to stand, and how its knob is drawn, in degrees. @param {import('../harness/browsers.js').Page} page */
+const headings = (page) =>
+  page.evaluate(() =>
+    ['start', 'goal'].map((end) => {
+      const [position, heading] = ['position', 'heading'].map((part) => {
+        const handle = /** @type {Element} */ (document.getElementById(`${end}-${part}`));
+        const { left, right, top, bottom } = handle.getBoundingClientRect();
+        return { x: (left + right) / 2, y: (top + bottom) / 2, said: Number(handle.ariaValueNow) };
+      });
+      const drawn = (Math.atan2(position.y - heading.y, heading.x - position.x) * 180) / Math.PI;
+      return { end, drawn, said: heading.said };
+    }),
+  );
+
+pageTest(
+  'the knob of start and goal is drawn where they point, on any screen, and a touch hardly turns them',
+  async (page) => {
+    if (page.engine !== 'chromium') return;
+    try {
+      await page.open('#lab&v=1');
+      for (const [link, ...size] of /** @type {const} */ ([
+        ['lesson&step=5', 1280, 585],
+        ['lesson&step=12', 1366, 650],
+        ['lesson&step=2', 1280, 585],
+        ['lesson&step=1', 683, 680],
+        ['lab&v=1', 960, 1000],
+        ['lab&v=1', 390, 760],
+        ['lab&v=1&goal.theta=90deg&pin1=first~5,1,5', 1097, 530],
+        ['lab&v=1&start=0,0,-90deg;1,1,1;-2,0,2&goal.theta=130deg', 800, 600],
+      ])) {
+        const view = `${link} at ${size.join('×')}`;
+        await surround(page, size);
+        await follow(page, link);
+        for (const { end, drawn, said } of await headings(page))
+          assert.ok(Math.abs(drawn - said) < 1, `${view}, ${end}: ${drawn}° for ${said}°`);
+
+        const [, before] = await headings(page);
+        const { x, y } = await middleOf(page, 'goal-heading', 'goal-heading');
+        await page.drag('#goal-heading', [
+          { x, y },
+          { x: x + 1, y: y + 2 },
+        ]);
+        const [, after] = await headings(page);
+        const turned = Math.abs(after.said - before.said);
+        assert.ok(turned > 0 && turned < 5, `${view}: from ${before.said}° to ${after.said}°`);
+      }
+    } finally {
+      await endSurrounding(page);
+    }
   },
 );
