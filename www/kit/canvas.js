@@ -23,6 +23,26 @@ export function pathOf(outline) {
 /** @param {Path2D} path From pathOf(). */
 export const outlineOf = (path) => /** @type {string} */ (outlines.get(path));
 
+/** Pixels of the screen in one of CSS, of contexts that draw there. @type {WeakMap<CanvasRenderingContext2D, number>} */
+const densities = new WeakMap();
+
+/**
+ * A straight line that covers whole pixels of the screen: how wide it is, and where its middle lies. Where one pixel of CSS is no whole
+ * number of them, both are moved as little as it takes.
+ * @param {CanvasRenderingContext2D} context @param {number} width
+ */
+export function sharpLine(context, width) {
+  const density = densities.get(context) ?? 1;
+  /** @param {number} at @param {number} [shift] From a whole pixel to the middle of the line. */
+  const onWhole = (at, shift = 0.5) => Math.round(at) + shift;
+  if (Number.isInteger(density)) return { width, middle: onWhole };
+  const pixels = Math.max(1, Math.round(width * density));
+  /** @type {typeof onWhole} */
+  const middle = (at, shift = 0.5) =>
+    (Math.round((at + shift) * density - pixels / 2) + pixels / 2) / density;
+  return { width: pixels / density, middle };
+}
+
 /** @param {HTMLCanvasElement} canvas */
 export function createLayer(canvas) {
   const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
@@ -32,6 +52,7 @@ export function createLayer(canvas) {
       const density = globalThis.devicePixelRatio || 1;
       const [width, height] = [Math.round(size.width * density), Math.round(size.height * density)];
       if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
+      densities.set(context, density);
       context.setTransform(density, 0, 0, density, 0, 0);
       context.clearRect(0, 0, size.width, size.height);
       context.save();

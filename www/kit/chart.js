@@ -1,5 +1,5 @@
 // Line charts on canvases: axes, lines, bands and a cursor. Names at the lines are in names.js.
-import { circle, createLayer } from './canvas.js';
+import { circle, createLayer, sharpLine } from './canvas.js';
 import { followSize } from './elements.js';
 import { outlineOf } from './extent.js';
 import { setLettering } from './lettering.js';
@@ -91,10 +91,12 @@ export function sameDigits(ticks) {
   return ticks.map((tick) => tick.toFixed(digits));
 }
 
-/** A straight line on the pixels. @param {CanvasRenderingContext2D} context @param {readonly [number, number]} from @param {readonly [number, number]} to */
+/** A straight line on the pixels, as wide as was taken. @param {CanvasRenderingContext2D} context @param {readonly [number, number]} from @param {readonly [number, number]} to */
 export function line(context, from, to) {
-  context.moveTo(Math.round(from[0]) + 0.5, Math.round(from[1]) + 0.5);
-  context.lineTo(Math.round(to[0]) + 0.5, Math.round(to[1]) + 0.5);
+  const { width, middle } = sharpLine(context, context.lineWidth);
+  context.lineWidth = width;
+  context.moveTo(middle(from[0]), middle(from[1]));
+  context.lineTo(middle(to[0]), middle(to[1]));
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Stroke} stroke */
@@ -226,10 +228,9 @@ export function strokeThrough(context, points, stroke) {
 /** A line that is sharp where it is level. @param {CanvasRenderingContext2D} context @param {readonly (readonly [number, number])[]} points @param {Stroke} stroke */
 export function drawCurve(context, points, stroke) {
   const shift = (stroke.width % 2) / 2;
-  const onPixels = points.map(
-    ([px, py]) => /** @type {const} */ ([Math.round(px) + shift, Math.round(py) + shift]),
-  );
-  strokeThrough(context, onPixels, stroke);
+  const { width, middle } = sharpLine(context, stroke.width);
+  const onPixels = points.map(([px, py]) => /** @type {const} */ ([middle(px, shift), middle(py, shift)]));
+  strokeThrough(context, onPixels, { ...stroke, width });
 }
 
 /** A line from one side to the other. @param {CanvasRenderingContext2D} context @param {Pick<Frame, 'left' | 'right'>} frame @param {number} py @param {Stroke} stroke */

@@ -5,7 +5,7 @@
 /** @import { Scene } from '../run/scene.js' */
 /** @import { PostureName } from './plane-names.js' */
 import { scaleLinear } from 'd3-scale';
-import { createWatchedLayer, fillTextWithHalo } from '../kit/canvas.js';
+import { createWatchedLayer, fillTextWithHalo, sharpLine } from '../kit/canvas.js';
 import { paidAt } from '../core/paid.js';
 import { take } from '../kit/chart.js';
 import { setLettering } from '../kit/lettering.js';
@@ -54,11 +54,12 @@ function drawGrid(context, view, names) {
   const heights = multiples(low.y, high.y, step);
   // No number leads out of the picture.
   const edge = 4 + Math.max(30, ...heights.map((y) => widthOf(strings.fixed(y, digits))));
-  take(context, { token: '--hairline', width: 1 });
+  const { width, middle } = sharpLine(context, 1);
+  take(context, { token: '--hairline', width });
   setLettering(context, { align: 'center', baseline: 'alphabetic' });
   context.beginPath();
   for (const x of multiples(low.x, high.x, step)) {
-    const px = Math.round(view.screenX(x)) + 0.5;
+    const px = middle(view.screenX(x));
     if (px < edge + 10) continue;
     context.moveTo(px, 0);
     context.lineTo(px, view.height - 28);
@@ -68,7 +69,7 @@ function drawGrid(context, view, names) {
   }
   setLettering(context, { align: 'right' });
   for (const y of heights) {
-    const py = Math.round(view.screenY(y)) + 0.5;
+    const py = middle(view.screenY(y));
     if (py > view.height - 32) continue;
     context.moveTo(edge + 10, py);
     context.lineTo(view.width, py);
