@@ -4,6 +4,7 @@ import { phasesOf } from '../../../www/parts/generation/phases.js';
 import { dissect } from '../../../www/parts/generation/record.js';
 import { othersText as othersInGeneration, sentence } from '../../../www/parts/generation/words/en.js';
 import { labPurpose, othersText, restartText } from '../../../www/words/en/lab.js';
+import { othersText as othersInKorean } from '../../../www/words/ko/lab.js';
 import { Evolution, experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
 
@@ -20,6 +21,22 @@ test('of few robots the lab speaks as of many', () => {
       othersText({ others: count, population: count + 1, arrived: 1 }),
     ])
       assert.doesNotMatch(text, wrong);
+});
+
+test('of one other that drives beside the best the lab says as of one whether it arrives', () => {
+  for (const population of [2, 5])
+    for (const words of [othersText, othersInKorean]) {
+      const [none, away, there] = [null, 0, 1].map((arrived) => words({ others: 1, population, arrived }));
+      assert.deepEqual(
+        [away, there],
+        words === othersText
+          ? [`${none} does not arrive`, `${none} arrives`]
+          : [`${none}, 미도착`, `${none}, 도착`],
+      );
+    }
+  assert.equal(othersText({ others: 1, population: 2, arrived: null }), 'the other one');
+  assert.equal(othersText({ others: 2, population: 3, arrived: 0 }), 'the other 2, 0 of them arrive');
+  assert.equal(othersInKorean({ others: 2, population: 3, arrived: 1 }), '나머지 로봇 2대, 1대 도착');
 });
 
 test('so does each phase of each method with the fewest robots', () => {

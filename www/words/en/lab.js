@@ -128,7 +128,12 @@ export const costParts = [
 
 /** @param {{ others: number, population: number, arrived: number | null }} drives Null where nobody can arrive. */
 export function othersText({ others, population, arrived }) {
-  const who = others === population - 1 ? `the other ${others}` : `the next ${others} of ${population}`;
+  const areAll = others === population - 1;
+  if (others === 1) {
+    const one = areAll ? 'the other one' : `the next of ${population}`;
+    return arrived === null ? one : `${one} ${arrived === 1 ? 'arrives' : 'does not arrive'}`;
+  }
+  const who = areAll ? `the other ${others}` : `the next ${others} of ${population}`;
   return arrived === null ? who : `${who}, ${arrived} of them ${arrived === 1 ? 'arrives' : 'arrive'}`;
 }
 

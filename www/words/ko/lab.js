@@ -126,7 +126,8 @@ export const costParts = [
 export function othersText({ others, population, arrived }) {
   const who =
     others === population - 1 ? `나머지 로봇 ${others}대` : `전체 로봇 ${population}대 중 다음 ${others}대`;
-  return arrived === null ? who : `${who}, ${arrived}대 도착`;
+  if (arrived === null) return who;
+  return others === 1 ? `${who}, ${arrived === 1 ? '도착' : '미도착'}` : `${who}, ${arrived}대 도착`;
 }
 
 /** @param {string} name @param {Run} run */
