@@ -48,6 +48,21 @@ test('whoever drives with the gains of the lowest point pays what the map says, 
   }
 });
 
+test('the lowest point is said to be that of the points that were computed, however many', () => {
+  for (const [size, text] of /** @type {const} */ ([
+    [64, /\b4[\s,]096\b/],
+    [128, /\b16[\s,]?384\b/],
+  ])) {
+    const lowest = lowestOf({
+      ...mapOf(velocityLimits, paperKy),
+      count: size,
+      costs: new Float64Array(size ** 2),
+    });
+    assert.equal(lowest?.points, size ** 2);
+    for (const words of [en, ko]) assert.match(words.lowestText(lowest.points, 'kx 1', lowest.cost), text);
+  }
+});
+
 test('where every J is infinite nothing is lowest', () => {
   const map = mapOf(velocityLimits, paperKy);
   assert.equal(lowestOf({ ...map, costs: map.costs.map(() => Number.POSITIVE_INFINITY) }), null);
@@ -163,7 +178,9 @@ pageTest(
         `the lowest point at J ${cost}`,
         (wanted) => {
           const text = document.getElementById('landscape-lowest')?.innerText ?? '';
-          return text.includes(`in this slice: J ${wanted} `) && text;
+          return (
+            /^Lowest of these 16\s384 points: /.test(text.trim()) && text.includes(`: J ${wanted} `) && text
+          );
         },
         cost,
       );

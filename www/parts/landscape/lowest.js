@@ -3,7 +3,7 @@
 /** @import { Landscape, Spec } from './request.js' */
 import { gainOn, gainsAt } from './request.js';
 
-/** @typedef {{ gains: Triple, cost: number }} Lowest */
+/** `points`: of how many. A finer picture may have a lower one elsewhere. @typedef {{ gains: Triple, cost: number, points: number }} Lowest */
 
 /** Whether what was computed has these axes. @param {Spec} computed @param {Spec} shown */
 export const isOn = (computed, shown) =>
@@ -18,5 +18,6 @@ export function lowestOf({ spec, count, costs }) {
   return {
     gains: gainsAt(spec, [gain('x', least % count), gain('y', Math.floor(least / count))]),
     cost: costs[least],
+    points: costs.length,
   };
 }

@@ -42,4 +42,4 @@ export function legendOf({ experiment, population }, spec, points) {
 }
 
 /** @param {Lowest} lowest */
-export const lowestText = ({ gains, cost }) => words.lowestText(gainsText(gains), cost);
+export const lowestText = ({ gains, cost, points }) => words.lowestText(points, gainsText(gains), cost);

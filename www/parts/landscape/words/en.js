@@ -36,8 +36,9 @@ export const readout = (who, gains, run, outcome, isOneOfMany) =>
 
 /** At its mark on the map. */
 export const lowest = 'lowest';
-/** @param {string} gains @param {number} cost */
-export const lowestText = (gains, cost) => `Lowest in this slice: J ${costText(cost)} at ${gains}`;
+/** @param {number} points @param {string} gains @param {number} cost */
+export const lowestText = (points, gains, cost) =>
+  `Lowest of these ${grouped(points)} points: J ${costText(cost)} at ${gains}`;
 
 /** @param {number} count */
 export const outside = (count) =>
