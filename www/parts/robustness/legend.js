@@ -1,4 +1,4 @@
-// What the colours of the map mean: a bar with its ticks, and the hatching where no robot arrives.
+// What the colours of the map mean: a bar with its ticks, and the hatching where none or few arrive.
 /** @import { Quantity } from './request.js' */
 /** @import { Shading } from './scale.js' */
 import { html, render } from 'lit-html';
@@ -8,29 +8,38 @@ import { shadeAt } from '../../kit/shades.js';
 import { styled } from '../../kit/templates.js';
 import { once, watch } from '../../kit/memo.js';
 import words from './words/index.js';
-import { hatch } from './view.js';
+import { hatch, hatchOver } from './view.js';
 
 /** @typedef {{ shading: Shading, quantity: Quantity, heading: number | null, theme: number }} LegendModel */
 
 /** @param {HTMLElement} root */
 export function createLegend(root) {
-  const layer = once(() => createLayer(byIdIn(root, 'robustness-never')));
+  const [never, few] = ['never', 'few'].map((name) =>
+    once(() => createLayer(byIdIn(root, `robustness-${name}`))),
+  );
+  const size = { width: 20, height: 14 };
   const changed = watch();
   return {
     /** @param {LegendModel} model */
     draw({ shading, quantity, heading, theme }) {
       if (!changed(shading, theme)) return;
       render(sight(shading, quantity, heading === null), root);
-      layer().draw({ width: 20, height: 14 }, (context) => {
-        context.fillStyle = hatch(context);
-        context.fillRect(0, 0, 20, 14);
+      /** @param {CanvasRenderingContext2D} context @param {string | CanvasPattern} style */
+      const fill = (context, style) => {
+        context.fillStyle = style;
+        context.fillRect(0, 0, size.width, size.height);
+      };
+      never().draw(size, (context) => fill(context, hatch(context)));
+      few().draw(size, (context) => {
+        fill(context, shadeAt(0.3));
+        fill(context, hatchOver(context));
       });
     },
   };
 }
 
 /** @param {Shading} shading @param {Quantity} quantity @param {boolean} all Of all headings together. */
-function sight({ part, ticks, high, open }, quantity, all) {
+function sight({ few, part, ticks, high, open }, quantity, all) {
   const isPlain = quantity === 'share' && !all;
   const stops = Array.from({ length: 17 }, (_, i) => shadeAt(isPlain ? 0 : part((high * i) / 16)));
   const digits = ticks.some((tick) => tick % 1 !== 0) ? 1 : 0;
@@ -43,5 +52,8 @@ function sight({ part, ticks, high, open }, quantity, all) {
     <p>${words.legendTitle(quantity, all)}</p>
     <div class="legend-bar" ${styled('background', `linear-gradient(to right, ${stops.join(', ')})`)}></div>
     <div class="legend-ticks" .hidden=${isPlain}>${marks}</div>
-    <p class="legend-never"><canvas id="robustness-never"></canvas><span>${words.never(all)}</span></p>`;
+    <div class="legend-hatched">
+      <p class="legend-never"><canvas id="robustness-never"></canvas><span>${words.never(all)}</span></p>
+      <p class="legend-never" .hidden=${few.length === 0}><canvas id="robustness-few"></canvas><span>${words.few}</span></p>
+    </div>`;
 }

@@ -21,6 +21,12 @@ export function readingOf({ runs, tally }, quantity, heading) {
   };
 }
 
+/** Where a mean is that of fewer than half: what arrives from there, if anything does, may well be what had it easy. @param {Survey} survey @param {Quantity} quantity @param {number | null} heading @returns {number[]} Cells. */
+function fewIn({ tally: { count } }, quantity, heading) {
+  if (quantity === 'share' || heading !== null) return [];
+  return [...count.keys()].filter((cell) => count[cell] > 0 && count[cell] < headings / 2);
+}
+
 /** The shades of a survey, and what they mean. @param {Survey} survey @param {Quantity} quantity @param {number | null} heading */
 export function createShading(survey, quantity, heading) {
   const value = readingOf(survey, quantity, heading);
@@ -33,6 +39,7 @@ export function createShading(survey, quantity, heading) {
   const high = scale.domain()[1];
   return {
     values,
+    few: fewIn(survey, quantity, heading),
     /** 0 where it is best. @param {number} value */
     part: (value) => (quantity === 'share' ? 1 - value : Math.min(value / high, 1)),
     high,

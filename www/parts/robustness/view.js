@@ -83,31 +83,44 @@ export function createMap(root) {
 }
 
 /** What stands for "none arrives", on the map and in its legend. @param {CanvasRenderingContext2D} context */
-export function hatch(context) {
+export const hatch = (context) =>
+  hatching(context, colour('--unreached'), [{ colour: colour('--on-unreached'), alpha: 0.45, aside: 0 }]);
+
+/** What lies over the shade where fewer than half arrive: a light line beside a dark one, for every shade. @param {CanvasRenderingContext2D} context */
+export const hatchOver = (context) =>
+  hatching(context, 'transparent', [
+    { colour: light, alpha: 0.75, aside: 0 },
+    { colour: dark, alpha: 0.35, aside: 1 },
+  ]);
+
+/** @param {CanvasRenderingContext2D} context @param {string} ground @param {{ colour: string, alpha: number, aside: number }[]} lines */
+function hatching(context, ground, lines) {
   const step = 6;
   const pixels = globalThis.devicePixelRatio || 1;
   const tile = document.createElement('canvas');
   tile.width = tile.height = Math.round(step * pixels);
   const on = /** @type {CanvasRenderingContext2D} */ (tile.getContext('2d'));
   const edge = tile.width;
-  on.fillStyle = colour('--unreached');
+  on.fillStyle = ground;
   on.fillRect(0, 0, edge, edge);
-  on.strokeStyle = colour('--on-unreached');
-  on.globalAlpha = 0.45;
   on.lineWidth = pixels * 0.8;
-  on.beginPath();
-  for (const shift of [-edge, 0, edge]) {
-    on.moveTo(shift - 1, edge + 1);
-    on.lineTo(shift + edge + 1, -1);
+  for (const line of lines) {
+    on.strokeStyle = line.colour;
+    on.globalAlpha = line.alpha;
+    on.beginPath();
+    for (const shift of [-edge, 0, edge].map((one) => one + line.aside * pixels)) {
+      on.moveTo(shift - 1, edge + 1);
+      on.lineTo(shift + edge + 1, -1);
+    }
+    on.stroke();
   }
-  on.stroke();
   const pattern = /** @type {CanvasPattern} */ (context.createPattern(tile, 'repeat'));
   pattern.setTransform(new DOMMatrix().scale(1 / pixels));
   return pattern;
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Grid} grid @param {Shading} shading @param {Axes} axes */
-function drawCells(context, grid, { values, part }, { frame, side, x, y }) {
+function drawCells(context, grid, { values, few, part }, { frame, side, x, y }) {
   context.fillStyle = hatch(context);
   context.fillRect(frame.left, frame.top, side, side);
   const half = stepOf(grid) / 2;
@@ -119,7 +132,19 @@ function drawCells(context, grid, { values, part }, { frame, side, x, y }) {
   };
   const shades = values.map((value) => (Number.isNaN(value) ? value : part(value)));
   // Each cell is one place that was tried: between them nothing is known.
-  within(context, frame, () => drawShades(context, shades, edges, false));
+  within(context, frame, () => {
+    drawShades(context, shades, edges, false);
+    context.fillStyle = hatchOver(context);
+    const [width, height] = [edges.right - edges.left, edges.bottom - edges.top].map(
+      (whole) => whole / grid.x.count,
+    );
+    context.beginPath();
+    for (const cell of few) {
+      const [column, row] = [cell % grid.x.count, Math.floor(cell / grid.x.count)];
+      context.rect(edges.left + column * width, edges.bottom - (row + 1) * height, width, height);
+    }
+    context.fill();
+  });
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes */

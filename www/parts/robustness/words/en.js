@@ -80,8 +80,8 @@ export const axisName = (axis) => `${axis} of the start (m)`;
 export const legendTitle = (quantity, all) =>
   ({
     share: all ? 'headings arriving' : 'arrives',
-    time: all ? 'their mean time' : 'time',
-    cost: all ? 'their mean J' : 'J',
+    time: all ? 'mean time of those that arrive' : 'time',
+    cost: all ? 'mean J of those that arrive' : 'J',
   })[quantity];
 
 /** @param {Quantity} quantity @param {string} text @param {boolean} open */
@@ -90,6 +90,7 @@ export const lastTick = (quantity, text, open) =>
 
 /** @param {boolean} all */
 export const never = (all) => (all ? 'none arrives' : 'does not arrive');
+export const few = '<\u202fhalf arrive';
 
 export const goal = 'goal';
 export const ownStart = 'start of J';
@@ -107,7 +108,7 @@ export const cellText = (place, { arrived, headings, time, cost }) =>
   `${placeText(place)}: ${arrivals(arrived, headings)}${
     arrived === 0
       ? ''
-      : `, in ${fixed(time, 2)} s${arrived > 1 ? ' on average' : ''}, J\u00a0${fixed(cost, 2)}`
+      : `, ${arrived > 1 && arrived < headings ? 'these ' : ''}in ${fixed(time, 2)} s${arrived > 1 ? ' on average' : ''}, J\u00a0${fixed(cost, 2)}`
   }.`;
 
 /** @param {Place} place @param {Drive} drive */

@@ -75,8 +75,8 @@ export const axisName = (axis) => `출발점 ${axis} (m)`;
 export const legendTitle = (quantity, all) =>
   ({
     share: all ? '도착하는 방향각' : '도착',
-    time: all ? '평균 시간' : '시간',
-    cost: all ? '평균 J' : 'J',
+    time: all ? '도착한 주행의 평균 시간' : '시간',
+    cost: all ? '도착한 주행의 평균 J' : 'J',
   })[quantity];
 
 /** @param {Quantity} quantity @param {string} text @param {boolean} open */
@@ -85,6 +85,7 @@ export const lastTick = (quantity, text, open) =>
 
 /** @param {boolean} all */
 export const never = (all) => (all ? '모두 미도착' : '미도착');
+export const few = '절반 미만 도착';
 
 export const goal = '목표';
 export const ownStart = '원래 출발점';
@@ -100,7 +101,9 @@ const arrivals = (arrived, headings) =>
 /** @param {Place} place @param {{ arrived: number, headings: number, time: number, cost: number }} cell */
 export const cellText = (place, { arrived, headings, time, cost }) =>
   `${placeText(place)}: ${arrivals(arrived, headings)}${
-    arrived === 0 ? '' : `, ${arrived > 1 ? '평균 ' : ''}${fixed(time, 2)}초, J\u00a0${fixed(cost, 2)}`
+    arrived === 0
+      ? ''
+      : `, ${arrived > 1 ? (arrived < headings ? '도착한 주행의 평균 ' : '평균 ') : ''}${fixed(time, 2)}초, J\u00a0${fixed(cost, 2)}`
   }.`;
 
 /** @param {Place} place @param {Drive} drive */
