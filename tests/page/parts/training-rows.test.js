@@ -2,6 +2,9 @@
 import assert from 'node:assert/strict';
 import { furthestOf } from '../../../www/parts/training/request.js';
 import { createSets, setNames, testOn } from '../../../www/parts/training/sets.js';
+import { medianOf } from '../../../www/parts/training/words/common.js';
+import * as en from '../../../www/parts/training/words/en.js';
+import * as ko from '../../../www/parts/training/words/ko.js';
 import { pageTest } from '../harness/browsers.js';
 import { Evolution, experiment, fares, startsOnCircle } from '../harness/core.js';
 import { test } from '../harness/once.js';
@@ -22,6 +25,38 @@ test('the furthest row arrives from the most starts, then has the lowest J', () 
   assert.equal(of([3, 9], [5, 20], [5, 19]), 'grid');
   // Where the reference moves.
   assert.equal(of([0, 9], [0, 7], [0, 8]), 'circle');
+});
+
+test('of an experiment with many starts nothing says that it has one', () => {
+  const faring = (/** @type {number} */ count) => ({ starts: Array(count), count, cost: 9 });
+  const result = (/** @type {number} */ count) =>
+    /** @type {any} */ ({ training: faring(count), unseen: faring(1000 + count), own: count });
+  const many = result(99);
+  const spread = { one: [10, 20], circle: [500, 600], grid: [700, 800] };
+  for (const [words, ofOne] of /** @type {const} */ ([
+    [en, /\b(one )?start\b/],
+    [ko, /출발점 하나|출발점 1개|^출발점\sJ$/m],
+  ])) {
+    const said = [1, 5].map((count) => [
+      words.columnsOf(1000, count).at(-1),
+      words.invitation(count),
+      words.question(result(count)),
+      words.spreadText(spread, 1000, count),
+      words.lesson(/** @type {any} */ ({ results: { one: result(count), circle: many, grid: many } })),
+    ]);
+    for (const text of said[0]) assert.match(String(text), ofOne);
+    for (const text of said[1]) assert.doesNotMatch(String(text), ofOne);
+  }
+});
+
+test('the median is the number in the middle', () => {
+  for (const [numbers, median] of /** @type {const} */ ([
+    [[3], 3],
+    [[5, 1], 3],
+    [[9, 1, 2], 2],
+    [[4, 1, 9, 2], 3],
+  ]))
+    assert.equal(medianOf(numbers), median);
 });
 
 /** From how many unseen starts each arrives. @param {import('../../../pkg/ep_locomotion.js').Preset} preset */

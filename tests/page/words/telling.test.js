@@ -28,7 +28,7 @@ test('only all are 100 %, and only none are 0 %', () => {
   const counts = [998, 999, 999];
   assert.match(
     spreadText({ one: [250, 400], circle: counts, grid: counts }, 1000, 1),
-    /25 to 40\u202f% .*99\.8 to 99\.9\u202f%/,
+    /33\u202f% \(25 to 40\u202f%\) .*99\.9\u202f% \(99\.8 to 99\.9\u202f%\)/,
   );
 });
 

@@ -2,6 +2,7 @@
 /** @import { Result, RowName } from './request.js' */
 /** @import { Spread } from './spread.js' */
 import { html, nothing } from 'lit-html';
+import { stacked } from '../../kit/stack.js';
 import { styled } from '../../kit/templates.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
@@ -45,12 +46,14 @@ function rowOf({ name, text, result, old }, spread, { unseen: all, follows }, ch
     </tr>`;
 }
 
-/** In so many lines, for many seeds come to nearly the same. */
-const lines = 3;
+/** The bar has room for so many dots beside and above each other; the styles know both. */
+const [across, lines] = [15, 7];
 
-/** A dot for each seed, where its bar would end. @param {readonly number[]} counts @param {number} unseen */
-const dotsOf = (counts, unseen) =>
-  counts.map(
-    (count, i) =>
-      html`<i class="training-dot" ${styled('left', `${(100 * count) / unseen}%`)} ${styled('--line', String(i % lines))}></i>`,
+/** A dot for each seed, about where its bar would end. @param {readonly number[]} counts @param {number} unseen */
+function dotsOf(counts, unseen) {
+  const columns = counts.map((count) => Math.min(across - 1, Math.floor((across * count) / unseen)));
+  return stacked(columns, lines, 2).map(
+    ({ column, level }) =>
+      html`<i class="training-dot" ${styled('left', `${(100 * column) / across}%`)} ${styled('bottom', `${(100 * level) / lines}%`)}></i>`,
   );
+}
