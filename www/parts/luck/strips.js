@@ -7,6 +7,7 @@ import { scaleLinear } from 'd3-scale';
 import { followSize } from '../../kit/elements.js';
 import { take } from '../../kit/chart.js';
 import { colour } from '../../kit/palette.js';
+import { stacked } from '../../kit/stack.js';
 import { drawText } from '../drawing.js';
 import { drawSymbol } from '../../kit/names.js';
 import { lab } from '../../words/index.js';
@@ -77,7 +78,8 @@ function drawStrips(context, size, { survey, paper, range, index }) {
     .range([margin.left, size.width - margin.right])
     .clamp(true);
   drawAxis(context, scale, size.height);
-  const diameter = diameterOf(survey?.count ?? 1);
+  const room = strip - margin.top - 4;
+  const diameter = Math.min(room / lines, diameterOf(survey?.count ?? 1));
   /** @type {Dots[]} */
   const strips = [];
   for (const [i, name] of colours.entries()) {
@@ -87,7 +89,7 @@ function drawStrips(context, size, { survey, paper, range, index }) {
     context.fillRect(margin.left, base, size.width - margin.left - margin.right, 1);
     if (survey) {
       const positions = survey.runs.map(({ champion }) => scale(champion.gains[i]));
-      const dots = stackDots(positions, diameter, strip - margin.top - 4);
+      const dots = dotsIn(positions, diameter, room);
       strips.push(dots);
       drawDots(context, dots, diameter, name, (along, away) => [along, base - away]);
       if (index >= 0) drawRing(context, dots.along[index], base - dots.away[index]);
@@ -96,6 +98,21 @@ function drawStrips(context, size, { survey, paper, range, index }) {
     if (survey) drawText(context, fixed(survey.summary.gains[i].median, 3), size.width, base - 6, atMedian);
   }
   return strips;
+}
+
+/** A strip is low, and often all seeds end with the same gain: at least so many dots have room above each other, and who finds its place full may stand so many diameters aside. */
+const [lines, reach] = [5, 2];
+
+/** Too many to be counted overlap, each above its own place. @param {readonly number[]} positions Pixels along the axis. @param {number} diameter @param {number} room Pixels above it. @returns {Dots} */
+export function dotsIn(positions, diameter, room) {
+  const bins = positions.map((position) => Math.round(position / diameter));
+  const most = Math.floor(room / diameter + 1e-9);
+  const places = stacked(bins, most, reach);
+  if (places.some(({ level }) => level >= most)) return stackDots(positions, diameter, room);
+  return {
+    along: Float64Array.from(places, ({ column }) => column * diameter),
+    away: Float64Array.from(places, ({ level }) => (level + 0.5) * diameter),
+  };
 }
 
 /** All but the strangest gains; those stand at the end. @param {SeedSurvey} survey @param {Triple | null} paper @returns {[number, number]} */
