@@ -89,9 +89,9 @@ test('of the default slip nobody stays inside all three, many stand on an edge, 
   );
   assert.match(
     en.summaryText(summary),
-    /^In the last 2 s this drive comes within 1 % of the edge of sets \(6\) and \(8\)\. Of 32 other starts, 0 stay within reach of all three, 11 come to an edge and at most 1 % beyond it; even/,
+    /^In the last 2 s this drive comes within 1 % of the edge of sets \(6\) and \(8\)\. Of 32 other starts, 0 stay within reach of all three, 11 within 1 % of an edge; even/,
   );
-  assert.match(en.captionText(summary), /≈: within 1 % of the edge$/);
+  assert.match(en.captionText(summary), /≈: at the edge$/);
   assert.match(
     ko.summaryText(summary),
     /집합 \(6\), \(8\)의 경계에서 1% 이내.*32개 중 0개가 세 집합의.*, 11개는 경계에/,
@@ -103,8 +103,8 @@ test('how many stay and how many stand on an edge is said of one, of none and of
   const said = (/** @type {Partial<Summary>} */ counts) => en.summaryText({ ...summary, ...counts });
   for (const [allInside, allEdge, text] of /** @type {const} */ ([
     [0, 0, '0 stay within reach of all three; even'],
-    [1, 1, '1 stays within reach of all three, 1 comes to an edge and at most 1 % beyond it; even'],
-    [2, 30, '2 stay within reach of all three, 30 come to an edge and at most 1 % beyond it; even'],
+    [1, 1, '1 stays within reach of all three, 1 within 1 % of an edge; even'],
+    [2, 30, '2 stay within reach of all three, 30 within 1 % of an edge; even'],
     [32, 0, '32 stay within reach of all three; even'],
   ]))
     assert.ok(said({ allInside, allEdge }).includes(`Of 32 other starts, ${text}`), text);

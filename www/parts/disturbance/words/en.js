@@ -74,7 +74,7 @@ export const tableCaption = (seconds) =>
 export const lastText = (seconds) => `last ${sixDigits(seconds)} s`;
 /** @param {Summary} summary */
 export const captionText = (summary) =>
-  `largest of the ${lastText(summary.seconds)}${summary.disturbed ? '; small: undisturbed' : ''}${hasEdge(summary) ? `; ${edgeMark}: within ${edgePercent} % of the edge` : ''}`;
+  `largest of the ${lastText(summary.seconds)}${summary.disturbed ? '; small: undisturbed' : ''}${hasEdge(summary) ? `; ${edgeMark}: at the edge` : ''}`;
 
 export const legend = {
   solid: 'this drive',
@@ -135,11 +135,11 @@ function othersText(summary) {
   if (!isPromised(summary))
     return `From ${startsText(starts)}, ${disturbed ? 'even undisturbed, ' : ''}${most}.`;
   const all = pushed.length === 3 ? 'all three' : setsText(pushed);
-  const atEdge = `, ${allEdge} ${allEdge === 1 ? 'comes' : 'come'} to an edge and at most ${edgePercent} % beyond it`;
+  const atEdge = `, ${allEdge} within ${edgePercent} % of an edge`;
   const others = disturbed
     ? `Of ${startsText(starts)}, ${allInside} ${allInside === 1 ? 'stays' : 'stay'} within reach of ${all}${allEdge > 0 ? atEdge : ''}; even undisturbed, ${most}`
     : `From ${startsText(starts)}, ${most}`;
-  return `${others}: the theorem does not say how soon, and knows no limits and no samples.`;
+  return `${others}: the theorem does not say how soon, and knows no limits or samples.`;
 }
 
 /** Why there are so few others. @param {Summary} summary */
@@ -153,5 +153,5 @@ function theoremText({ law, isPositive, rows, ky, disturbed }) {
   if (law !== 'shim-kim') return 'The theorem is about law (5), not about the rule that drives here.';
   if (!isPositive) return 'The theorem is about gains above 0: for any other there is no set.';
   if (!disturbed || rows.y.set < 1) return '';
-  return `With ky ${threeDigits(ky)} the set of ${formulaText('y')} reaches to ${amount('y', rows.y.set)}, which promises little.`;
+  return `With ky ${threeDigits(ky)} the set of ${formulaText('y')} reaches to ${amount('y', rows.y.set)}: it promises little.`;
 }
