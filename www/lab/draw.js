@@ -13,8 +13,8 @@ import { shownExercise } from '../run/exercise.js';
 import { isReached, pausesAt } from '../run/pace.js';
 import { asked, endsOf } from '../run/state.js';
 import { sigmas as sigmaWords, lab as strings } from '../words/index.js';
-import { namesOfRuns } from './notes.js';
-import { placeOfName, placeOfPostures } from './plane-corners.js';
+import { linesOfLegend } from './notes.js';
+import { placeOfLegend, placeOfName, placeOfPostures } from './plane-corners.js';
 import { isSmall } from './plane-names.js';
 import { labSlice } from './state.js';
 import { showMessage } from './views.js';
@@ -43,8 +43,7 @@ export function createDraw(createViews, engine, paper, inSight) {
     const pays = inSight.pays(state);
     views.plane.draw({ view, scene, ...ends, pins, pays, time, theme });
     views.handles.draw({ view, ...ends });
-    const { solid, dashed } = namesOfRuns({ ...state, scene });
-    placeWords(view, scene, ends.start, ends.goal, pays && !isSmall(view), solid, dashed);
+    placeWordsOf(state, scene, view, pays && !isSmall(view));
   };
 
   /** @param {State} state @param {Scene} scene @returns {Record<string, () => void>} */
@@ -110,16 +109,30 @@ export const headOf = (head, state) => [
   ['preset', () => head.preset.draw(asked(state).preset)],
 ];
 
+/** @param {State} state @param {Scene} scene @param {View} view @param {boolean} isPaid */
+function placeWordsOf(state, scene, view, isPaid) {
+  const ends = endsOf(state);
+  const { texts, solid, dashed } = linesOfLegend({
+    ...{ ...state, ...ends, scene },
+    population: state.population.length,
+  });
+  placeWords(view, scene, ends.start, ends.goal, isPaid, texts.join('\n'), solid, dashed);
+}
+
 /** The words that stand in a corner of the plane. */
 const placeWords = remember(
-  /** @param {View} view @param {Scene} scene @param {Posture} start @param {Posture} goal @param {boolean} isPaid @param {string} solid @param {string} dashed */
-  (view, { driving, comparison, pins, others }, start, goal, isPaid, solid, dashed) => {
+  /** @param {View} view @param {Scene} scene @param {Posture} start @param {Posture} goal @param {boolean} isPaid @param {string} texts Each in a line. @param {string} solid @param {string} dashed */
+  (view, { driving, comparison, pins }, start, goal, isPaid, texts, solid, dashed) => {
     const standing = { view, ends: { start, goal }, runs: [driving, comparison, ...pins], isPaid };
     const { corner, raised } = placeOfName(standing, solid, dashed);
     const legend = byId('legend');
     legend.dataset.corner = corner;
     legend.style.setProperty('--raised', `${raised}px`);
-    const { side, under } = placeOfPostures(standing, 2 + Math.min(1, others.length) + pins.length);
+    const lines = texts.split('\n');
+    const whole = placeOfLegend(standing, lines, dashed);
+    legend.dataset.at = whole.corner;
+    legend.classList.toggle('short', whole.isShort);
+    const { side, under } = placeOfPostures(standing, lines.length, whole.rooms);
     const postures = byId('postures');
     postures.classList.toggle('left', side === 'left');
     postures.classList.toggle('under', under !== null);

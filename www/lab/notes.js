@@ -99,6 +99,15 @@ export function namesOfRuns({ scene, driver, found, generation }) {
   };
 }
 
+/** The lines of the legend, one below the other, and which of them is the dotted run's. @param {Told & { scene: Scene, population: number }} model */
+export function linesOfLegend(model) {
+  const { scene, population, pins } = model;
+  const { solid, dashed, isAlone } = namesOfRuns(model);
+  const others = scene.others.length > 0 ? [othersText(scene, population)] : [];
+  const pinned = pinTextsOf(pins, scene.pins, scene.experiment);
+  return { texts: [solid, ...others, ...(isAlone ? [] : [dashed]), ...pinned], solid, dashed };
+}
+
 /** Which line is whose. @param {NotesModel} model */
 function legendOf(model) {
   const { scene, population, pins } = model;

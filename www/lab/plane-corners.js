@@ -1,4 +1,4 @@
-// In which corner of the plane words stand: the name of the dotted run where that has no room beside the first one, and the two postures.
+// In which corner of the plane words stand: the legend, the name of the dotted run where that has no room beside the first one, and the two postures.
 /** @import { Posture, Run } from '../core/engine.js' */
 /** @import { View } from '../kit/transform.js' */
 /** @import { Room } from './plane-names.js' */
@@ -7,7 +7,7 @@ import { postureAt, referenceOf, sizes } from './track.js';
 import { strongFont } from '../kit/lettering.js';
 import { knobOf } from '../kit/transform.js';
 import { isTracking } from '../core/reference.js';
-import { around, meet, namesIn, roomOf, widthOf } from './plane-names.js';
+import { around, isSmall, meet, namesIn, roomOf, widthOf } from './plane-names.js';
 import { strayOf } from './robots.js';
 
 /** At an edge, so far above the corner below. @typedef {{ corner: string, raised: number, room: Room }} Place */
@@ -53,9 +53,9 @@ function passing({ view, runs }, { left, right, top, bottom }) {
   return count;
 }
 
-/** The first that meets nothing, else the one that meets least. @template {Place} P @param {Standing} all @param {readonly P[]} places */
-function emptiest(all, places) {
-  const things = standing(all);
+/** The first that meets nothing, else the one that meets least. @template {Place} P @param {Standing} all @param {readonly P[]} places @param {readonly Room[]} [more] */
+function emptiest(all, places, more = []) {
+  const things = [...standing(all), ...more];
   let best = { place: places[0], met: Number.POSITIVE_INFINITY, passed: 0 };
   for (const place of places) {
     const met = things.filter((thing) => meet(thing, place.room)).length;
@@ -81,13 +81,50 @@ function sizeOf(text, most, atLeft, font) {
   return { width: Math.min(most, ...broken), height: 2 * line };
 }
 
-/** Where the names of the runs stand below each other. @param {readonly string[]} texts @returns {Room[]} */
-export const legendRooms = (texts) =>
-  texts.map((text, i) => {
-    const top = edge.top + i * line;
-    const { width } = sizeOf(text, Number.POSITIVE_INFINITY, true, i === 0 ? strongFont : undefined);
-    return { left: edge.left, right: edge.left + width, top, bottom: top + line };
+/** In which corners the legend may stand, the usual one first. */
+const corners = /** @type {const} */ (['top left', 'top right', 'bottom left', 'bottom right']);
+/** So far from the lower edge, above the numbers of the axis. */
+const below = 34;
+
+/** Where the names of the runs stand below each other. @param {View} view @param {(typeof corners)[number]} corner @param {readonly string[]} texts @returns {Room[]} */
+function roomsIn({ width, height }, corner, texts) {
+  const sizes = texts.map(
+    (text, i) => sizeOf(text, Number.POSITIVE_INFINITY, true, i === 0 ? strongFont : undefined).width,
+  );
+  const left = corner.endsWith('left') ? edge.left : width - edge.right - Math.max(...sizes);
+  const first = corner.startsWith('top') ? edge.top : height - below - texts.length * line;
+  return sizes.map((size, i) => {
+    const top = first + i * line;
+    return { left, right: left + size, top, bottom: top + line };
   });
+}
+
+/**
+ * In which corner the names of the runs stand, and their rooms: the usual one, but on a plane that keeps no room for them one where they
+ * lie neither on start and goal nor on a robot at rest; without the dotted run's where only that helps.
+ * @param {Standing} all @param {readonly string[]} texts @param {string} dashed One of them.
+ * @returns {{ corner: (typeof corners)[number], isShort: boolean, rooms: Room[] }}
+ */
+export function placeOfLegend(all, texts, dashed) {
+  const { view } = all;
+  const placed = [false, true].flatMap((isShort) => {
+    const names = isShort ? texts.filter((text) => text !== dashed) : texts;
+    return corners.map((corner) => ({ corner, isShort, rooms: roomsIn(view, corner, names) }));
+  });
+  const [usual] = placed;
+  if (!isSmall(view)) return usual;
+  const things = standing(all);
+  const isFree = (/** @type {Room} */ room) =>
+    room.left >= edge.left && room.top > 0 && !things.some((thing) => meet(thing, room));
+  const free = placed.filter(({ rooms }) => rooms.every(isFree));
+  const first = free[0] ?? usual;
+  if (first === usual) return usual;
+  const crossed = (/** @type {typeof usual} */ { rooms }) =>
+    rooms.reduce((sum, room) => sum + passing(all, room), 0);
+  return free
+    .filter(({ isShort }) => isShort === first.isShort)
+    .reduce((best, one) => (crossed(one) < crossed(best) ? one : best));
+}
 
 /** Where the name of the dotted run stands: below on the right or on the left, under the first name, or else between; nowhere if everywhere it would lie on the drive in ink, on start, goal or a robot. @param {Standing} all @param {string} first @param {string} text */
 export function placeOfName(all, first, text) {
@@ -121,8 +158,8 @@ export function placeOfName(all, first, text) {
   return empty.length > 0 ? emptiest(all, empty) : { ...places[0], corner: 'none' };
 }
 
-/** Where the postures stand: below, or under the legend of so many lines, on the right or on the left. @param {Standing} all @param {number} lines @returns {{ side: 'left' | 'right', under: number | null }} */
-export function placeOfPostures(all, lines) {
+/** Where the postures stand: below, or under the legend of so many lines, on the right or on the left. @param {Standing} all @param {number} lines @param {readonly Room[]} legend @returns {{ side: 'left' | 'right', under: number | null }} */
+export function placeOfPostures(all, lines, legend) {
   const { width, height } = all.view;
   const below = height - postures.bottom - postures.height;
   const under = edge.top + lines * line + 6;
@@ -141,5 +178,5 @@ export function placeOfPostures(all, lines) {
       },
     })),
   );
-  return emptiest(all, places);
+  return emptiest(all, places, legend);
 }

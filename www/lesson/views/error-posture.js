@@ -2,8 +2,8 @@
 import { html, render, svg } from 'lit-html';
 import { createView } from '../../kit/transform.js';
 import { watch } from '../../kit/memo.js';
-import { namesOfRuns } from '../../lab/notes.js';
-import { legendRooms } from '../../lab/plane-corners.js';
+import { linesOfLegend } from '../../lab/notes.js';
+import { placeOfLegend } from '../../lab/plane-corners.js';
 import { around, meet, namesIn, roomOf } from '../../lab/plane-names.js';
 import { sizes } from '../../lab/track.js';
 import { endsOf } from '../../run/state.js';
@@ -40,11 +40,18 @@ export function createErrorPosture(root) {
       if (size.width === 0 || !changed(sample, box, size, scene)) return;
       const view = createView(box, size);
       const { marks, ahead } = errorOn(view, sample);
-      const { solid, dashed } = namesOfRuns({ ...state, scene });
       const ends = endsOf(state);
+      const { driving, comparison, pins } = scene;
+      const { texts, dashed } = linesOfLegend({
+        ...state,
+        ...ends,
+        scene,
+        population: state.population.length,
+      });
+      const standing = { view, ends, runs: [driving, comparison, ...pins], isPaid: false };
       const taken = [
-        ...namesIn(view, ends, scene.driving, false).map(roomOf),
-        ...legendRooms([solid, dashed]),
+        ...namesIn(view, ends, driving, false).map(roomOf),
+        ...placeOfLegend(standing, texts, dashed).rooms,
       ];
       const arrows = [sample.posture, ends.start, ends.goal].map(({ x, y }) =>
         around(view.screenX(x), view.screenY(y), sizes.robot),
