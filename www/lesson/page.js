@@ -27,6 +27,7 @@ import './stage.css';
 import './views/lineage.css';
 import './views/energy.css';
 import './build.css';
+import './low.css';
 
 /** @import { TemplateResult } from 'lit-html' */
 /** @import { Engine, PaperResult, Sample, Samples, Triple } from '../core/engine.js' */

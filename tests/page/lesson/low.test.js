@@ -1,0 +1,133 @@
+// Beside the words on a low laptop all that a step’s words name is in sight without scrolling the figure, and nothing lies on it.
+import assert from 'node:assert/strict';
+import { linkOfStep, stepNames } from '../../../www/lesson/path.js';
+import { pageTest } from '../harness/browsers.js';
+import { endSurrounding, follow, surround } from '../whole/surround.js';
+
+/** @import { StepName } from '../../../www/lesson/path.js' */
+/** @import { Page } from '../harness/browsers.js' */
+
+/** What the words name, or go by. @type {Partial<Record<StepName, string>>} */
+const named = {
+  drive: '#plane, #play, #gains input, .cost-value',
+  error: '#plane',
+  law: '#plane, #play, #gains input, .push-value',
+  stability: '#plane, #play, #gains input, .bowl svg, #stability-picture',
+  limits: '#plane, #play, #asked, #curves-picture',
+  cost: '.standing-name, .standing-total, #gains input',
+  generation: '.newborn li, #generation-phases input',
+  sigma: '.lineage-columns svg, #sigmas, #run',
+  duel: '.swarm-picture, #gains input',
+  landscape: '#landscape-map, #run, #timeline',
+  contest: '#contest-run, #contest-chart',
+  task: '#run',
+};
+
+/** Full HD at 150 %, the same with a browser that takes more, and the laptop of 1366 × 768. */
+const sizes = /** @type {const} */ ([
+  [1280, 585],
+  [1366, 650],
+  [1097, 530],
+  [1024, 560],
+]);
+
+/** In the page: what of it is not all in the figure’s sight, or in its own box, once nothing moves. @param {string} selector */
+async function flaws(selector) {
+  const figure = /** @type {HTMLElement} */ (document.querySelector('.figure'));
+  let found = [''];
+  for (let i = 0, still = 0; i < 120 && still < 4; i += 1) {
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+    const isComputing = document.querySelector('[aria-busy="true"], .part-waits') !== null;
+    const now = [...outOfSight(), ...onOthers(), ...(isComputing ? [`still, ${i}`] : [])];
+    still = String(now) === String(found) ? still + 1 : 0;
+    found = now;
+  }
+  return found;
+
+  function outOfSight() {
+    const sight = figure.getBoundingClientRect();
+    const all = [...figure.querySelectorAll(selector)].filter((one) => !one.closest('[hidden]'));
+    const missing = selector.split(', ').filter((one) => !figure.querySelector(one));
+    const cut = all.filter((one) => {
+      const box = one.getBoundingClientRect();
+      const bottom = Math.min(sight.bottom, one.closest('.standing')?.getBoundingClientRect().bottom ?? 1e9);
+      return (
+        !one.checkVisibility() ||
+        box.bottom > bottom + 1 ||
+        box.right > sight.right + 1 ||
+        box.left < sight.left - 1
+      );
+    });
+    const isWide = figure.scrollWidth > figure.clientWidth;
+    return [
+      ...missing.map((one) => `no ${one}`),
+      ...cut.map(({ id, className, tagName }) => id || className || tagName),
+      ...(isWide ? ['it scrolls sideways'] : []),
+    ];
+  }
+
+  function onOthers() {
+    const all = [...figure.querySelectorAll('#plane, #robot-clock, .swarm-picture, .picture, .readings > *')]
+      .filter((one) => one.checkVisibility())
+      .map((one) => ({ one, box: one.getBoundingClientRect() }))
+      .filter(({ box }) => box.width > 0 && box.height > 0);
+    return all.flatMap(({ one, box }, i) =>
+      all.slice(i + 1).flatMap(({ one: other, box: next }) => {
+        const across = Math.min(box.right, next.right) - Math.max(box.left, next.left);
+        const down = Math.min(box.bottom, next.bottom) - Math.max(box.top, next.top);
+        return across > 2 && down > 2 && !one.contains(other) && !other.contains(one)
+          ? [`${one.id || one.className} and ${other.id || other.className}`]
+          : [];
+      }),
+    );
+  }
+}
+
+/** @param {Page} page @param {string} selector @param {string} where @param {Record<string, string[]>} found */
+async function lookAtEach(page, selector, where, found) {
+  for (const size of sizes) {
+    await surround(page, size);
+    const all = await page.evaluate(flaws, selector);
+    if (all.length > 0) found[`${where}, ${size.join(' × ')}`] = all;
+  }
+}
+
+for (const language of ['en', 'ko'])
+  pageTest(`on a low laptop what a step names is in sight, in ${language}`, async (page) => {
+    if (page.engine !== 'chromium') return;
+    /** @type {Record<string, string[]>} */
+    const found = {};
+    try {
+      await page.open(`#lab&v=1&lang=${language}&lesson=1`);
+      for (const [i, name] of stepNames.entries()) {
+        const selector = named[name];
+        if (!selector) continue;
+        await follow(page, linkOfStep(i + 1));
+        await lookAtEach(page, selector, name, found);
+      }
+      // Once its first question is answered the 32 robots stand over the curve.
+      await page.open(`#${linkOfStep(stepNames.indexOf('task') + 1).replace('v=1', `v=1&lang=${language}`)}`);
+      await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('.quiz .choice')).click());
+      await page.until('the robots are there', () => document.querySelector('.swarm-picture canvas'));
+      await lookAtEach(page, '#run', 'task, answered', found);
+    } finally {
+      await endSurrounding(page);
+    }
+    assert.deepEqual(found, {});
+  });
+
+pageTest('scroll bars that take room take it from no number', async (page) => {
+  if (page.engine !== 'chromium') return;
+  try {
+    await page.open(`#${linkOfStep(stepNames.indexOf('law') + 1)}`);
+    await surround(page, [1280, 585]);
+    for (const bars of [15, 30]) {
+      await page.evaluate((px) => {
+        /** @type {HTMLElement} */ (document.querySelector('main')).style.paddingRight = `${32 + px}px`;
+      }, bars);
+      assert.deepEqual(await page.evaluate(flaws, named.law ?? ''), [], `${bars} px`);
+    }
+  } finally {
+    await endSurrounding(page);
+  }
+});
