@@ -131,3 +131,20 @@ pageTest('scroll bars that take room take it from no number', async (page) => {
     await endSurrounding(page);
   }
 });
+
+pageTest('where the figure beside the words scrolls, it says so at its edge', async (page) => {
+  await page.open('#lesson&step=7');
+  await page.resize(1280, 585);
+  const shown = await page.evaluate(() => {
+    const figure = /** @type {HTMLElement} */ (document.querySelector('.figure'));
+    const { backgroundImage, backgroundAttachment } = getComputedStyle(figure);
+    return {
+      hidden: figure.scrollHeight - figure.clientHeight,
+      shades: backgroundImage.match(/linear-gradient/g)?.length,
+      backgroundAttachment,
+    };
+  });
+  assert.ok(shown.hidden > 0, 'otherwise this asks nothing');
+  assert.equal(shown.shades, 4);
+  assert.match(shown.backgroundAttachment, /local.*scroll/);
+});
