@@ -1,6 +1,7 @@
 // In windows that are lower or higher than most, nothing lies on anything, and what is pressed is in sight.
 import assert from 'node:assert/strict';
 import { pageTest } from '../harness/browsers.js';
+import { openMaker } from '../share/making.js';
 import { excess } from './surround.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -37,3 +38,39 @@ pageTest('in a low window the curves end above the gains', async (page) => {
     );
   }
 });
+
+for (const [name, open, foot, last] of /** @type {const} */ ([
+  ['exercise', openMaker, '.maker-foot', '.maker .settings-groups > :last-child'],
+  ['settings', openSettings, '.settings-help', '#settings .settings-groups > :last-child'],
+]))
+  pageTest(`in a low window the panel ends with the window: ${name}`, async (page) => {
+    await open(page);
+    for (const [width, height] of /** @type {const} */ ([
+      [1280, 585],
+      [1097, 530],
+      [1280, 660],
+    ])) {
+      await page.resize(width, height);
+      for (const scrolled of [false, true]) {
+        await page.evaluate(
+          (by) => {
+            scrollTo(0, by ? 9999 : 0);
+            for (const list of document.querySelectorAll('.settings-groups')) list.scrollTop = 1e6;
+          },
+          /** @type {boolean} */ (scrolled),
+        );
+        await excess(page);
+        const [end, row] = await boxes(page, foot, last);
+        const where = `${width} × ${height}, scrolled: ${scrolled}`;
+        assert.ok(end.bottom <= height && end.top > 100, `${where}: its foot ends at ${end.bottom}`);
+        assert.ok(row.bottom <= end.top + 1, `${where}: the last row ends at ${row.bottom}, over ${end.top}`);
+      }
+    }
+  });
+
+/** @param {Page} page */
+async function openSettings(page) {
+  await page.open('#lab');
+  await page.click('#settings-button');
+  await page.until('they are open', () => document.querySelector('.settings-help')?.checkVisibility());
+}
