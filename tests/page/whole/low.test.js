@@ -1,6 +1,7 @@
 // In windows that are lower or higher than most, nothing lies on anything, and what is pressed is in sight.
 import assert from 'node:assert/strict';
 import { pageTest } from '../harness/browsers.js';
+import { openContest, runContest } from '../parts/contest-page.js';
 import { openMaker } from '../share/making.js';
 import { excess } from './surround.js';
 
@@ -74,3 +75,20 @@ async function openSettings(page) {
   await page.click('#settings-button');
   await page.until('they are open', () => document.querySelector('.settings-help')?.checkVisibility());
 }
+
+pageTest('the table of a contest scrolls with the page, or has a shade where it goes on', async (page) => {
+  await openContest(page, '#luck&v=1&luck=contest&contestants=de,random&seeds=15&budget=1000');
+  await runContest(page);
+  await page.resize(1280, 585);
+  await excess(page);
+  const [within, shades] = await page.evaluate(() => {
+    const table = /** @type {Element} */ (document.querySelector('.contest-scroll'));
+    return [
+      table.scrollHeight - table.clientHeight,
+      getComputedStyle(table).backgroundImage.match(/linear-gradient/g)?.length,
+    ];
+  });
+  assert.deepEqual([within, shades], [0, 4]);
+  const [chart, table] = await boxes(page, '.contest-chart', '.contest-scroll');
+  assert.ok(chart.height >= 120 && chart.bottom <= table.top, `${chart.bottom}, ${table.top}`);
+});
