@@ -148,3 +148,19 @@ pageTest('where the figure beside the words scrolls, it says so at its edge', as
   assert.equal(shown.shades, 4);
   assert.match(shown.backgroundAttachment, /local.*scroll/);
 });
+
+pageTest('the program is all in sight beside its figure', async (page) => {
+  await page.open(`#${linkOfStep(stepNames.indexOf('build') + 1)}`);
+  for (const [width, height] of /** @type {const} */ ([
+    [1024, 768],
+    [1097, 530],
+    [1280, 720],
+  ])) {
+    await page.resize(width, height);
+    const beyond = await page.until('the program', () => {
+      const program = document.getElementById('program');
+      return program && { px: program.scrollWidth - program.clientWidth };
+    });
+    assert.equal(beyond.px, 0, `${width}`);
+  }
+});
