@@ -92,3 +92,24 @@ pageTest('the table of a contest scrolls with the page, or has a shade where it 
   const [chart, table] = await boxes(page, '.contest-chart', '.contest-scroll');
   assert.ok(chart.height >= 120 && chart.bottom <= table.top, `${chart.bottom}, ${table.top}`);
 });
+
+pageTest('on a monitor turned on end the controls stay by what they drive', async (page) => {
+  for (const [width, height] of /** @type {const} */ ([
+    [1080, 1850],
+    [1440, 2400],
+  ]))
+    for (const [link, above, below] of /** @type {const} */ ([
+      ['lab', '#curve', '.evolving'],
+      ['lesson&step=10', '#landscape-readout', '#run'],
+      ['luck', '.luck .picture', '.luck-gains'],
+    ])) {
+      await page.open(`#${link}`);
+      await page.resize(width, height);
+      await page.until(`${link} is there`, (selector) => document.querySelector(selector), below);
+      await excess(page);
+      const [first, then] = await boxes(page, above, below);
+      const where = `${link}, ${width} × ${height}`;
+      assert.ok(first.height < 1000 && then.bottom < 1500, `${where}: ${first.height}, ${then.bottom}`);
+      assert.ok(then.top - first.bottom < 120, `${where}: ${then.top - first.bottom} px between`);
+    }
+});
