@@ -113,3 +113,45 @@ pageTest('on a monitor turned on end the controls stay by what they drive', asyn
       assert.ok(then.top - first.bottom < 120, `${where}: ${then.top - first.bottom} px between`);
     }
 });
+
+pageTest('who drives stands in one row, or two and two', async (page) => {
+  await page.open('#lab');
+  for (const [width, height] of /** @type {const} */ ([
+    [1023, 1000],
+    [985, 1000],
+    [960, 1000],
+    [800, 600],
+    [500, 900],
+    [470, 900],
+    [1024, 768],
+  ])) {
+    await page.resize(width, height);
+    await excess(page);
+    const rows = await page.evaluate(() => {
+      /** @type {Record<number, number>} */
+      const rows = {};
+      for (const label of document.querySelectorAll('#drives label')) {
+        const top = Math.round(label.getBoundingClientRect().top);
+        rows[top] = (rows[top] ?? 0) + 1;
+      }
+      return Object.values(rows);
+    });
+    assert.ok(['4', '2,2'].includes(String(rows)), `${width}: ${rows}`);
+  }
+});
+
+pageTest('on half a screen the corner of the landscape’s table has one line', async (page) => {
+  await page.resize(683, 680);
+  await page.open('#landscape');
+  await page.until('its table', () => document.getElementById('landscape-table'));
+  await page.click('#landscape-table');
+  await page.until('it is open', () => document.querySelector('.table-sheet[open] thead th'));
+  const [corner, next] = await page.evaluate(() =>
+    [...document.querySelectorAll('.table-sheet[open] thead th')].slice(0, 2).map((cell) => {
+      const range = document.createRange();
+      range.selectNodeContents(cell);
+      return range.getBoundingClientRect().height;
+    }),
+  );
+  assert.equal(corner, next);
+});
