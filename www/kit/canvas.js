@@ -59,7 +59,7 @@ export function createLayer(canvas) {
   /** @type {Size | null} */
   let told = null;
 
-  /** Fits the canvas to its size in CSS pixels: they are rounded, so that it covers what is told, unless that is of another size. @param {Size} size @param {number} density */
+  /** As many pixels as the browser tells that it covers; its size, rounded, where nothing of that size was told. @param {Size} size @param {number} density */
   const fit = (size, density) => {
     let [width, height] = [Math.round(size.width * density), Math.round(size.height * density)];
     if (told && Math.max(Math.abs(told.width - width), Math.abs(told.height - height)) < density + 1)

@@ -125,7 +125,8 @@ function createQuestion({ name, quiz }, step, text, href, { store, actions, go, 
     onAnswer(choice) {
       if (progressSlice.of(store.get()).answers[key]) return;
       // Whoever goes on to another question has seen enough of the drive that answers the one before.
-      if (drawn) settle(drawn, step, { store, actions }, true);
+      const last = drawn;
+      if (last) tryNow(() => settle(last, step, { store, actions }, true), store.redraw);
       if (quiz.shows) go(href(quiz.shows).slice(1));
       if (quiz.sight) look(quiz.sight);
       quiz.begins?.(store);

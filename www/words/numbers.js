@@ -15,7 +15,10 @@ export const fixed = (value, digits) =>
   Math.abs(value) < huge ? typed(value, digits).replace('-', '−') : powerText(value);
 
 /** What is added, or taken away. @param {number} by */
-export const changed = (by) => `${by > 0 ? '+' : ''}${fixed(by, 2)}`;
+export function changeText(by) {
+  const text = fixed(by, 2);
+  return by > 0 && text !== '0.00' ? `+${text}` : text;
+}
 
 /** So many digits that count, with a power of ten where that is easier to read. @param {number} value @param {number} digits */
 const counting = (value, digits) =>

@@ -11,11 +11,11 @@ test('no dot stands on another, none floats, and none is further aside than it m
       fc.integer({ min: 1, max: 8 }),
       fc.integer({ min: 0, max: 3 }),
       (columns, lines, reach) => {
-        const places = stacked(columns, lines, reach);
+        const places = stacked(columns, lines, reach, [0, 14]);
         const taken = new Set(places.map(({ column, level }) => `${column} ${level}`));
         assert.equal(taken.size, columns.length);
         for (const [i, { column, level }] of places.entries()) {
-          assert.ok(Math.abs(column - columns[i]) <= reach);
+          assert.ok(Math.abs(column - columns[i]) <= reach && column >= 0 && column <= 14);
           assert.ok(level === 0 || taken.has(`${column} ${level - 1}`));
           // Aside, or above the room, only where its own column is full.
           if (column !== columns[i] || level >= lines) assert.ok(taken.has(`${columns[i]} ${lines - 1}`));

@@ -2,6 +2,7 @@
 import { trials } from '../../../pkg/ep_locomotion.js';
 import { entered } from '../../../www/parts/luck/contestants.js';
 import { standingsOf } from '../../../www/parts/luck/contest-summary.js';
+import { pairsText } from '../../../www/parts/luck/words/common.js';
 import { experiment } from '../harness/core.js';
 
 /** @typedef {import('../../../www/parts/luck/contestants.js').Contestant} Contestant */
@@ -36,7 +37,7 @@ export const expectedTable = (contest, target) =>
           ? '∞'
           : `${Math.round(ert)} ${(interval ?? []).map((end) => (end === Infinity ? '∞' : Math.round(end))).join('–')}`,
         median.toFixed(4),
-        comparison?.a12.toFixed(2) ?? '',
+        comparison ? pairsText(comparison.a12) : '',
         comparison ? (comparison.p < 0.001 ? '< 0.001' : comparison.p.toFixed(3)) : '',
       ],
     }),

@@ -2,7 +2,6 @@
 import assert from 'node:assert/strict';
 import { furthestOf } from '../../../www/parts/training/request.js';
 import { createSets, setNames, testOn } from '../../../www/parts/training/sets.js';
-import { medianOf } from '../../../www/parts/training/words/common.js';
 import * as en from '../../../www/parts/training/words/en.js';
 import * as ko from '../../../www/parts/training/words/ko.js';
 import { pageTest } from '../harness/browsers.js';
@@ -47,16 +46,6 @@ test('of an experiment with many starts nothing says that it has one', () => {
     for (const text of said[0]) assert.match(String(text), ofOne);
     for (const text of said[1]) assert.doesNotMatch(String(text), ofOne);
   }
-});
-
-test('the median is the number in the middle', () => {
-  for (const [numbers, median] of /** @type {const} */ ([
-    [[3], 3],
-    [[5, 1], 3],
-    [[9, 1, 2], 2],
-    [[4, 1, 9, 2], 3],
-  ]))
-    assert.equal(medianOf(numbers), median);
 });
 
 /** From how many unseen starts each arrives. @param {import('../../../pkg/ep_locomotion.js').Preset} preset */

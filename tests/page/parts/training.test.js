@@ -196,6 +196,7 @@ pageTest('fifteen seeds are a dot each, where the core says that their robots ar
       const unseen = Number.parseFloat(rowOf(velocityLimits, gains, sets[name]).unseen);
       const where = `${name}, seed ${evolution.seed + i}`;
       // At most two dots aside, and on no other.
+      assert.ok(share >= 0 && share <= 100, where);
       assert.ok(Math.abs(share - unseen) < 2.5 * (100 / 15) + 1, `${where}: ${share}, ${unseen}`);
       for (const other of dots[name].slice(0, i))
         assert.ok(width > 2.5 && Math.hypot(other.x - x, other.y - y) >= width, where);

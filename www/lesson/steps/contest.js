@@ -31,8 +31,7 @@ async function contestIn({ engine, state }) {
 }
 
 /** Below zero: worse than the first; 0: not to be told apart. @param {Row} row */
-export const sideOf = ({ comparison }) =>
-  !comparison || comparison.p >= 0.05 ? 0 : Math.sign(comparison.a12 - 0.5);
+export const sideOf = ({ comparison }) => comparison?.side ?? 0;
 
 /** The contest that is set up runs. @param {Store} store */
 const begins = (store) => luckSlice.update(store, { wanted: true });

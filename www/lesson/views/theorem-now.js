@@ -30,7 +30,7 @@ export function createTheoremNow(_tools, { holds: words }) {
       if (spec.experiment.law !== 'shim-kim') return render(nothing, element);
       const found = parts.map((part) => {
         const [size, set] = [runs[0][part][at], part === 'y' ? runs[0].ySet[at] : disturbed.sets[part][0]];
-        const holds = set === 0 || size > set;
+        const holds = set === 0 || !(size <= set);
         const bound = set === 0 ? null : names.sizeText(set);
         return { part, holds, text: words.one(holds, names.formulaText(part), names.sizeText(size), bound) };
       });

@@ -5,7 +5,15 @@
 import { bisectRight } from 'd3-array';
 import { scaleLinear, scaleSymlog } from 'd3-scale';
 import { createWatchedLayer, fillTextWithHalo } from '../../kit/canvas.js';
-import { drawCursorDot, drawCursorLine, pointsOf, strokeThrough, take, through } from '../../kit/chart.js';
+import {
+  drawCursorDot,
+  drawCursorLine,
+  line,
+  pointsOf,
+  strokeThrough,
+  take,
+  through,
+} from '../../kit/chart.js';
 import { followSize } from '../../kit/elements.js';
 import { largest } from '../../kit/extent.js';
 import { setLettering } from '../../kit/lettering.js';
@@ -133,17 +141,15 @@ function drawAxes(context, axes, bound, isLast) {
   take(context, { token: '--hairline', width: 1 });
   context.beginPath();
   for (const value of decades.filter((one) => one <= axes.y.domain()[1])) {
-    const py = Math.round(axes.y(value)) + 0.5;
-    context.moveTo(frame.left, py);
-    context.lineTo(frame.right, py);
+    line(context, [frame.left, axes.y(value)], [frame.right, axes.y(value)]);
   }
   for (const { text, place } of numbersOf(axes, bound)) context.fillText(text, frame.left - 6, place);
   context.textAlign = 'center';
   for (const time of axes.x.ticks(frame.right - frame.left < 200 ? 2 : 5)) {
-    const px = Math.round(axes.x(time)) + 0.5;
-    context.moveTo(px, frame.top);
-    context.lineTo(px, frame.bottom);
-    if (isLast) context.fillText(`${time} s`, Math.min(px, frame.right - 8), frame.bottom + 12);
+    const px = axes.x(time);
+    line(context, [px, frame.top], [px, frame.bottom]);
+    if (isLast)
+      context.fillText(`${time} s`, Math.min(Math.round(px) + 0.5, frame.right - 8), frame.bottom + 12);
   }
   context.stroke();
 }

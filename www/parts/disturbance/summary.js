@@ -34,12 +34,13 @@ export const parts = /** @type {const} */ (['x', 'y', 'theta']);
 /** How many other starts there are, unless their samples were too many. */
 export const usualStarts = 32;
 
-/** So near is on the edge, inside or outside: there a slip lets robots come to rest. What is farther differs in three digits. */
+/** So near is on the edge, inside or outside: there a slip lets robots come to rest. */
 export const edgePercent = 1;
 
 /** @param {number} error @param {number} set @returns {Place} */
 export function placeOf(error, set) {
-  if (error > set * (1 + edgePercent / 100)) return 'outside';
+  // What is no number is nowhere inside.
+  if (!(error <= set * (1 + edgePercent / 100))) return 'outside';
   return error > set * (1 - edgePercent / 100) ? 'edge' : 'inside';
 }
 

@@ -67,21 +67,31 @@ export function someOf(seeds, count, draw) {
 
 /**
  * Against the first: `a12` is how probable it is that a run of this one is the better one, `p` that of the ranks, and `share` that of how
- * many get there. What one asks of several is Holm's; `alone` is the p of the ranks without.
- * @typedef {{ a12: number, p: number, share: number, alone: number }} Comparison
+ * many get there. What one asks of several is Holm's; `alone` is the p of the ranks without. `side`: above 0 where it is better beyond
+ * chance, in pairs or else in how often it gets there; below 0 where worse.
+ * @typedef {{ a12: number, p: number, share: number, alone: number, side: number }} Comparison
  */
 
 /** @param {readonly End[]} ends */
 const reachedOf = (ends) => ends.filter(({ runtime }) => runtime < Infinity).length;
 
+/** @param {{ a12: number, p: number, share: number }} found @param {number} more How much oftener it gets there. */
+function sideOf({ a12, p, share }, more) {
+  if (p < level) return Math.sign(a12 - 0.5);
+  return share < level ? Math.sign(more) : 0;
+}
+
 /** Each of the others against the first. @param {readonly End[]} first @param {readonly (readonly End[])[]} others @returns {Comparison[]} */
 export function comparisonsOf(first, others) {
   const ranks = others.map((ends) => rankSums(first, ends, compareEnds));
   const ps = holm(ranks.map(({ p }) => p));
-  const shares = holm(
-    others.map((ends) => exactTest(reachedOf(first), first.length, reachedOf(ends), ends.length)),
-  );
-  return ranks.map(({ a12, p }, i) => ({ a12, p: ps[i], share: shares[i], alone: p }));
+  const own = reachedOf(first);
+  const reached = others.map(reachedOf);
+  const shares = holm(others.map((ends, i) => exactTest(own, first.length, reached[i], ends.length)));
+  return ranks.map(({ a12, p }, i) => {
+    const found = { a12, p: ps[i], share: shares[i], alone: p };
+    return { ...found, side: sideOf(found, reached[i] / others[i].length - own / first.length) };
+  });
 }
 
 /** @typedef {ReadonlyMap<number, End>} EndsBySeed */
@@ -101,7 +111,7 @@ export function toldApart(first, others, count) {
       own,
       others.map((ends) => endsOf(ends)),
     );
-    for (const [i, { p, share }] of compared.entries()) told[i] += Number(Math.min(p, share) < level);
+    for (const [i, { side }] of compared.entries()) told[i] += Number(side !== 0);
   }
   return told;
 }

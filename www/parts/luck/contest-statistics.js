@@ -126,7 +126,7 @@ export function twoSided(z) {
 
 /**
  * Fisher's exact test, two-sided: how probable shares are that are no likelier than these, when both are the same and as many of all
- * runs get there.
+ * runs get there. Up to some 500 runs each.
  * @param {number} reached Of the first. @param {number} count @param {number} others Of the other. @param {number} otherCount
  */
 export function exactTest(reached, count, others, otherCount) {

@@ -170,15 +170,15 @@ function verdictOf(first, own, { a12, p, share, alone }, { factor, others }) {
   const shares = { reached: own.reached, runs: own.count, first: first.reached };
   const isMore = own.reached / own.count > first.reached / first.count;
   const [isMoreSurely, isFewerSurely] = [share < level && isMore, share < level && !isMore];
+  if (isMoreSurely && first.reached === 0)
+    return { kind: 'only-this', reached: own.reached, runs: own.count };
+  if (isFewerSurely && own.reached === 0)
+    return { kind: 'only-first', reached: first.reached, runs: first.count };
   if (p >= level) {
     // Though pairs tell nothing, the shares may.
     if (share < level) return { kind: isMore ? 'mostly' : 'hardly', ...shares };
     return { kind: 'undecided', runs, alone: alone < level ? alone : null, others };
   }
-  if (isMoreSurely && first.reached === 0)
-    return { kind: 'only-this', reached: own.reached, runs: own.count };
-  if (isFewerSurely && own.reached === 0)
-    return { kind: 'only-first', reached: first.reached, runs: first.count };
   const isFaster = own.ert < first.ert;
   if (a12 > 0.5) {
     if (isFaster && factor) return { kind: 'sooner', ...factor };

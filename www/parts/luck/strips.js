@@ -89,7 +89,7 @@ function drawStrips(context, size, { survey, paper, range, index }) {
     context.fillRect(margin.left, base, size.width - margin.left - margin.right, 1);
     if (survey) {
       const positions = survey.runs.map(({ champion }) => scale(champion.gains[i]));
-      const dots = dotsIn(positions, diameter, room);
+      const dots = dotsIn(positions, diameter, room, scale.range());
       strips.push(dots);
       drawDots(context, dots, diameter, name, (along, away) => [along, base - away]);
       if (index >= 0) drawRing(context, dots.along[index], base - dots.away[index]);
@@ -101,13 +101,14 @@ function drawStrips(context, size, { survey, paper, range, index }) {
 }
 
 /** A strip is low, and often all seeds end with the same gain: at least so many dots have room above each other, and who finds its place full may stand so many diameters aside. */
-const [lines, reach] = [5, 2];
+const [lines, mostAside] = [5, 2];
 
-/** Too many to be counted overlap, each above its own place. @param {readonly number[]} positions Pixels along the axis. @param {number} diameter @param {number} room Pixels above it. @returns {Dots} */
-export function dotsIn(positions, diameter, room) {
+/** Too many to be counted overlap, each above its own place. @param {readonly number[]} positions Pixels along the axis. @param {number} diameter @param {number} room Pixels above it. @param {readonly number[]} ends Of the axis. @returns {Dots} */
+export function dotsIn(positions, diameter, room, ends) {
   const bins = positions.map((position) => Math.round(position / diameter));
   const most = Math.floor(room / diameter + 1e-9);
-  const places = stacked(bins, most, reach);
+  const [first, last] = ends.map((end) => Math.round(end / diameter));
+  const places = stacked(bins, most, mostAside, [first, last]);
   if (places.some(({ level }) => level >= most)) return stackDots(positions, diameter, room);
   return {
     along: Float64Array.from(places, ({ column }) => column * diameter),

@@ -52,7 +52,7 @@ const [across, lines] = [15, 7];
 /** A dot for each seed, about where its bar would end. @param {readonly number[]} counts @param {number} unseen */
 function dotsOf(counts, unseen) {
   const columns = counts.map((count) => Math.min(across - 1, Math.floor((across * count) / unseen)));
-  return stacked(columns, lines, 2).map(
+  return stacked(columns, lines, 2, [0, across - 1]).map(
     ({ column, level }) =>
       html`<i class="training-dot" ${styled('left', `${(100 * column) / across}%`)} ${styled('bottom', `${(100 * level) / lines}%`)}></i>`,
   );

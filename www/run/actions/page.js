@@ -32,7 +32,7 @@ export const createOpenPage =
 const takesHand = ({ driver, handGains }, run) =>
   driver === 'hand' && (run.driver !== 'hand' || String(run.handGains) !== String(handGains));
 
-/** Whether another step of the lesson is opened. @param {State} before @param {Pick<LinkedRun, 'lesson'>} run */
+/** Whether a step of the lesson is opened, from another or from elsewhere. @param {State} before @param {Pick<LinkedRun, 'lesson'>} run */
 const entersStep = (before, { lesson }) => lesson > 0 && lesson !== before.lesson;
 
 /** What a link holds takes the place of the run, or what is drawn for a student. @param {Basis} basis @param {(newest: number, generation: number) => void} catchUp */
@@ -71,7 +71,7 @@ export function createOpening(basis, catchUp) {
           tried,
           slices: { ...before.slices, ...Object.fromEntries(slices) },
           robot: shown(),
-          // Nothing leads back out of an exercise, or into what another step of the lesson was about; and what is locked is not open.
+          // Nothing leads back out of an exercise, or before the step of the lesson that is opened; and what is locked is not open.
           ...(hasNoPast || run.exercise !== noExercise || entersStep(before, run)
             ? { versions: noVersions }
             : takesHand(before, run) && { versions: afterHand(asked(before)) }),

@@ -14,8 +14,10 @@ const pText = (p) => (p < 0.001 ? 'p < 0.001' : `p = ${fixed(p, 3)}`);
 /** What the ranks say of the other one. @param {Row} row @param {string} name */
 function rankText({ comparison, count }, name) {
   if (!comparison) return '';
-  const { a12, p } = comparison;
-  if (p >= 0.05) return `${count} runs cannot tell the two apart (${pText(p)}).`;
+  const { a12, p, side } = comparison;
+  if (side === 0) return `${count} runs cannot tell the two apart (${pText(p)}).`;
+  if (p >= 0.05)
+    return `That one gets there more often is no chance; who wins a pair one cannot tell (${pText(p)}).`;
   const part = Math.round(100 * Math.max(a12, 1 - a12));
   return `In ${part} of 100 pairs, one run of each, ${name} is the ${a12 > 0.5 ? 'better' : 'worse'} (${pText(p)}).`;
 }
@@ -25,7 +27,7 @@ export const contest = {
     begin: `The method has many parts: a tournament, step sizes that adapt themselves, a population. *Which of them does the work?* Take one away, and see. But you have seen in the duel of step 9 what one run is worth: next to nothing. So every contestant here runs *51 times*, with the same seeds, and may make *4\u202f000 drives* each time. Nobody counts generations, for a generation of one may cost ten times as many drives as that of another. The first contestant is the paper’s EP, *as in the lab*.
 
 Two things can be asked of a run: how low is {J} when the drives are used up, or *how many drives until {J} is below a target*? Here it is the second: 7.72, a quarter of a percent above the best that is known.`,
-    read: `That is how such a result looks, and it is a result. The shaded bands, each the middle half of the runs, overlap. The table counts: how many runs *reached* the target; *ERT*, how many drives it takes on average if a run that failed is begun again with another seed; *A12*, how often a run of this one beats a run of the first; *p*, how often chance alone would make a difference at least as large, if both were equally good: below 0.05 one says that it is not chance. (This test knows nothing of the shared seeds, and so says “not clear” rather too often.) Step 7 showed a better robot falling in the tournament. As far as can be measured here, that does no harm, and no good.`,
+    read: `That is how such a result looks, and it is a result. The shaded bands, each the middle half of the runs, overlap. The table counts: how many runs *reached* the target; *ERT*, how many drives it takes on average if a run that failed is begun again with another seed; *A12*, how often a run of this one beats a run of the first; *p*, how often chance alone would make a difference at least as large, if both were equally good: below 0.05 one says that it is not chance. (This test knows nothing of the shared seeds, and so says a little too often that it cannot tell.) Step 7 showed a better robot falling in the tournament. As far as can be measured here, that does no harm, and no good.`,
     drag: `*Now drag the target*: the dot at the left end of the dashed line, slowly from 8.09 down to 7.72. At the top the curves lie together; further down they part, and one of them hardly falls any more. A step of 1 is good for finding the valley and useless for finding its lowest point. So the step sizes of step 8 *do* work, but only beyond a certain accuracy. Had we asked for 8.09 alone, we would have called them a waste.`,
     slide: `Press *other seeds* under the picture, again and again: the sentence flips between a clear difference and none, though nothing but the seeds has changed. Then move the slider *Had you run only* to 3, to 10, to 20. So few runs mostly leave the question open, and it is we who read an answer into them. Now and then they even show a difference that is not there.`,
     budget: `Drag the *vertical* line, the number of drives at which the curves are read, from 4\u202f000 to the end. Twenty robots come down early and then stand still: a run that has not reached the target by then mostly never does. A hundred are slower and lose fewer runs on the way. *Without a target, a budget and the number of runs there is no winner*, only an anecdote.`,
@@ -62,7 +64,7 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
     },
     fewer: {
       question:
-        'The difference at 7.72 could hardly be larger. Had you run only *five* seeds of each: how often would you have been able to tell (p below 0.05)?',
+        'The difference at 7.72 could hardly be larger. Had you run only *five* seeds of each: how often would you have been able to tell?',
       choices: ['Nearly always', 'About half of the time', 'Hardly ever'],
       /** @param {{ told: number, few: number }} outcome */
       why: ({ told, few }) =>

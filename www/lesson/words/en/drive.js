@@ -1,5 +1,5 @@
 // The step “drive” in English.
-import { changed, costText, fixed } from '../../../words/en/numbers.js';
+import { changeText, costText, fixed } from '../../../words/en/numbers.js';
 
 /** @typedef {import('../../../core/engine.js').Run} Run */
 
@@ -9,8 +9,8 @@ export const drive = {
 
 Move the three sliders under the picture. Each time you change a number, the robot drives again. The large number is *J*, the *cost* of the drive: it adds up the *time* the robot took, how far from the goal it was all the way (*path*) and at the end (*final*), and how fast it drove and turned (*energy*). *Lower is better.*
 
-The paper that this page follows compares *arbitrary* gains, picked without evolution (here J is {=arbitrary}) with those that *evolutionary programming*, EP for short, found ({=ep}). *Can you get below both?*`,
-    next: `You changed numbers by feel, watched, and kept what was better. From one start that is not hard. Soon it will be: the same three numbers must park robots from everywhere, and then evolution does what you did, with twenty robots at a time, and does not tire. But what *are* these three numbers?`,
+The paper that this page follows compares *arbitrary* gains, picked without evolution (here J is {=arbitrary}), with those that *evolutionary programming*, EP for short, found ({=ep}). *Can you get below both?*`,
+    next: `You changeText numbers by feel, watched, and kept what was better. From one start that is not hard. Soon it will be: the same three numbers must park robots from everywhere, and then evolution does what you did, with twenty robots at a time, and does not tire. But what *are* these three numbers?`,
   },
   /** @param {import('../common.js').Drives} tally */
   tally: ({ drives, best }) =>
@@ -29,7 +29,7 @@ The paper that this page follows compares *arbitrary* gains, picked without evol
       ],
       /** @param {{ gentle: Run, bold: Run }} outcome */
       why: ({ gentle, bold }) =>
-        `With 5 it ${arrival(gentle)}, J ${costText(gentle.cost.total)}; with 10 it ${arrival(bold)}, J ${costText(bold.cost.total)}. From 5 to 10 its parts change: time ${changed(bold.cost.time - gentle.cost.time)}, path ${changed(bold.cost.path - gentle.cost.path)}, energy ${changed(bold.cost.energy - gentle.cost.energy)}. Both are drawn: the drive with 5 is *pinned*, the dashed line in colour.`,
+        `With 5 it ${arrival(gentle)}, J ${costText(gentle.cost.total)}; with 10 it ${arrival(bold)}, J ${costText(bold.cost.total)}. From 5 to 10 its parts change: time ${changeText(bold.cost.time - gentle.cost.time)}, path ${changeText(bold.cost.path - gentle.cost.path)}, energy ${changeText(bold.cost.energy - gentle.cost.energy)}. Both are drawn: the drive with 5 is *pinned*, the dashed line in colour.`,
     },
   },
   tries: {

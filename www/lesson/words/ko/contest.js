@@ -14,8 +14,10 @@ const pText = (p) => (p < 0.001 ? 'p < 0.001' : `p = ${fixed(p, 3)}`);
 /** What the ranks say of the other one. @param {Row} row @param {string} name */
 function rankText({ comparison, count }, name) {
   if (!comparison) return '';
-  const { a12, p } = comparison;
-  if (p >= 0.05) return `실행 ${count}번으로는 둘의 차이를 알 수 없습니다(${pText(p)}).`;
+  const { a12, p, side } = comparison;
+  if (side === 0) return `실행 ${count}번으로는 둘의 차이를 알 수 없습니다(${pText(p)}).`;
+  if (p >= 0.05)
+    return `목푯값에 이르는 횟수의 차이는 우연이 아니지만, 짝지은 두 실행 가운데 어느 쪽이 앞서는지는 알 수 없습니다(${pText(p)}).`;
   const part = Math.round(100 * Math.max(a12, 1 - a12));
   return `양쪽에서 실행을 하나씩 골라 짝지으면 100번 중 ${part}번은 ${name} 쪽이 더 ${a12 > 0.5 ? '낫습니다' : '못합니다'}(${pText(p)}).`;
 }
@@ -62,7 +64,7 @@ export const contest = {
     },
     fewer: {
       question:
-        '7.72에서의 차이는 더 클 수 없을 만큼 큽니다. 시드를 *다섯 개씩만* 썼다면 그 차이를 알 수 있었던 경우(p가 0.05 미만)가 얼마나 됩니까?',
+        '7.72에서의 차이는 더 클 수 없을 만큼 큽니다. 시드를 *다섯 개씩만* 썼다면 그 차이를 알 수 있었던 경우가 얼마나 됩니까?',
       choices: ['거의 언제나', '절반쯤', '거의 없다'],
       /** @param {{ told: number, few: number }} outcome */
       why: ({ told, few }) =>

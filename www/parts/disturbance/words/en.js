@@ -74,7 +74,7 @@ export const tableCaption = (seconds) =>
 export const lastText = (seconds) => `last ${sixDigits(seconds)} s`;
 /** @param {Summary} summary */
 export const captionText = (summary) =>
-  `largest of the ${lastText(summary.seconds)}${summary.disturbed ? '; small: undisturbed' : ''}${hasEdge(summary) ? `; ${edgeMark}: at the edge` : ''}`;
+  `largest of the ${lastText(summary.seconds)}${summary.disturbed ? '; small: undisturbed' : ''}${hasEdge(summary) ? `; ${edgeMark}: edge ± ${edgePercent} %` : ''}`;
 
 export const legend = {
   solid: 'this drive',

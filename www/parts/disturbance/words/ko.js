@@ -70,7 +70,7 @@ export const tableCaption = (seconds) => `남은 오차: 마지막 ${sixDigits(s
 export const lastText = (seconds) => `마지막 ${sixDigits(seconds)}초`;
 /** @param {Summary} summary */
 export const captionText = (summary) =>
-  `마지막 ${sixDigits(summary.seconds)}초의 최댓값${summary.disturbed ? '. 작은 글씨: 외란 없음' : ''}${hasEdge(summary) ? `. ${edgeMark}: 경계` : ''}`;
+  `마지막 ${sixDigits(summary.seconds)}초의 최댓값${summary.disturbed ? '. 작은 글씨: 외란 없음' : ''}${hasEdge(summary) ? `. ${edgeMark}: 경계 ±${edgePercent}%` : ''}`;
 
 export const legend = {
   solid: '이 주행',

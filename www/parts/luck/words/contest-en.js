@@ -144,10 +144,10 @@ export const toldText = (told, count) =>
 export const targetLine = (target) => `target ${targetText(target)}`;
 
 export const contestColumns = [
-  { text: 'reached', hint: 'How many runs reached the target' },
+  { text: 'reached', hint: 'How many runs reached the target; two are compared by Fisher’s exact test' },
   {
     text: 'ERT',
-    hint: 'Expected running time: the drives of all runs until the target or the budget, divided by the number of those that reached it; beside it, of 15 runs or more, its 95 % confidence interval (bootstrap)',
+    hint: 'Expected running time: the drives of all runs until the target or the budget, divided by the number of those that reached it; beside it, of 15 runs or more, its 95 % confidence interval (bootstrap); behind a factor stands that of the factor',
   },
   { text: 'median J', hint: 'The median of J at the budget' },
   {
@@ -176,7 +176,7 @@ export function verdictText(verdict, name) {
     case 'undecided':
       return verdict.runs === 1
         ? 'One run cannot tell these two apart.'
-        : `${verdict.runs} runs cannot tell these two apart${verdict.alone === null ? '' : ` (p alone: ${probability(verdict.alone)}, one of ${1 + verdict.others})`}.`;
+        : `${verdict.runs} runs cannot tell these two apart${verdict.alone === null ? '' : ` (p would be ${probability(verdict.alone)}, were it alone and not one of ${1 + verdict.others})`}.`;
     case 'sooner':
       return `${shortName(name)} gets there ${timesText(verdict.times)} times sooner ${betweenText(verdict)}.`;
     case 'later':

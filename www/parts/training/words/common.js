@@ -18,10 +18,3 @@ export const shareOf = (part, count) => {
   const few = Math.min(part, count - part) / count;
   return fixed((100 * part) / count, few > 0 && few <= 0.005 ? 1 : 0);
 };
-
-/** Of so many seeds as were run, the one in the middle, or between the two that are. @param {readonly number[]} counts */
-export function medianOf(counts) {
-  const sorted = [...counts].sort((a, b) => a - b);
-  const [low, high] = [sorted.length - 1, sorted.length].map((twice) => sorted[Math.floor(twice / 2)]);
-  return (low + high) / 2;
-}

@@ -1,6 +1,7 @@
 // Every word of the training part.
 /** @import { Evolved, Result, RowName } from '../request.js' */
-import { cost, isEvolved, medianOf, shareOf } from './common.js';
+import { median } from 'd3-array';
+import { cost, isEvolved, shareOf } from './common.js';
 import { fixed, grouped, postureText, tookText } from '../../../words/en/numbers.js';
 
 export * from './common.js';
@@ -117,8 +118,8 @@ export const followed = ({ results: { one, circle, grid } }) =>
 /** How far luck reaches. @param {import('../spread.js').Spread} spread @param {number} unseen @param {number} own The starts of the experiment. */
 export function spreadText({ one, circle, grid }, unseen, own) {
   const told = (/** @type {readonly number[]} */ counts) =>
-    `${percent(medianOf(counts), unseen)} (${shareOf(Math.min(...counts), unseen)} to ${percent(Math.max(...counts), unseen)})`;
-  return `One seed is a matter of luck. With ${one.length} seeds the robots evolved on ${starts(own)} arrive from a median of ${told(one)} of the starts they never saw, those of the circle from ${told(circle)}, those of the grid from ${told(grid)}.`;
+    `${percent(median(counts) ?? 0, unseen)} (${shareOf(Math.min(...counts), unseen)} to ${percent(Math.max(...counts), unseen)})`;
+  return `One seed is a matter of luck. With ${one.length} seeds the robots evolved on ${starts(own)} arrive from a median (least to most) of ${told(one)} of the starts they never saw, those of the circle from ${told(circle)}, those of the grid from ${told(grid)}.`;
 }
 
 /** What more arrivals cost, or why there are no more. Nothing where neither is so. @param {Result} one @param {Result} many @param {string} where */

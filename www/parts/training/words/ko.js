@@ -1,6 +1,7 @@
 // Every word of the training part, in Korean.
 /** @import { Evolved, Result, RowName } from '../request.js' */
-import { cost, isEvolved, medianOf, shareOf } from './common.js';
+import { median } from 'd3-array';
+import { cost, isEvolved, shareOf } from './common.js';
 import { fixed, grouped, postureText, tookText } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
@@ -108,7 +109,7 @@ export const followed = ({ results: { one, circle, grid } }) =>
 /** How far luck reaches. @param {import('../spread.js').Spread} spread @param {number} unseen @param {number} own The starts of the experiment. */
 export function spreadText({ one, circle, grid }, unseen, own) {
   const told = (/** @type {readonly number[]} */ counts) =>
-    `${percent(medianOf(counts), unseen)}(${shareOf(Math.min(...counts), unseen)}~${percent(Math.max(...counts), unseen)})`;
+    `${percent(median(counts) ?? 0, unseen)}(${shareOf(Math.min(...counts), unseen)}~${percent(Math.max(...counts), unseen)})`;
   return `시드 하나로는 운이 크게 작용합니다. 시드 ${one.length}개로 진화시키면 처음 보는 출발점에서 도착하는 비율의 중앙값(최소~최대)은 출발점 ${own === 1 ? '하나' : `${own}개`}로 진화한 로봇이 ${told(one)}, 원으로 진화한 로봇이 ${told(circle)}, 격자로 진화한 로봇이 ${told(grid)}\u2060입니다.`;
 }
 
