@@ -209,3 +209,18 @@ engineTest(
     assert.equal((await focused()).slider, 'ktheta');
   },
 );
+
+pageTest('each symbol of the error posture that is pointed at lights up in the picture too', async (page) => {
+  await page.open('#lesson&step=error');
+  for (const name of ['xe', 'ye', 'te', 'xr', 'yr', 'tr', 'xc', 'yc', 'tc']) {
+    const seen = await page.evaluate((term) => {
+      const symbol = document.querySelector(`.formula [data-term="${term}"]`);
+      symbol?.dispatchEvent(new PointerEvent('pointerover', { bubbles: true }));
+      const lit = [...document.querySelectorAll('#error-posture .lit[data-term]')];
+      return lit
+        .filter((one) => one.querySelector('path')?.checkVisibility({ visibilityProperty: true }))
+        .map((one) => one.getAttribute('data-term'));
+    }, name);
+    assert.deepEqual(seen, [name]);
+  }
+});

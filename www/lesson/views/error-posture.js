@@ -1,4 +1,4 @@
-// The error posture on the plane: x_e and y_e as lengths along and across the goal's heading, θ_e as an angle at the robot.
+// The error posture on the plane: x_e and y_e as lengths along and across the goal's heading, θ_e as an angle at the robot; and, on demand, of what postures it is the difference.
 import { html, render, svg } from 'lit-html';
 import { createView } from '../../kit/transform.js';
 import { watch } from '../../kit/memo.js';
@@ -9,7 +9,7 @@ import { sizes } from '../../lab/track.js';
 import { endsOf } from '../../run/state.js';
 import { symbolInText } from '../formulas/symbols.js';
 
-/** @import { Sample } from '../../core/engine.js' */
+/** @import { Posture, Sample } from '../../core/engine.js' */
 /** @import { View } from '../../kit/transform.js' */
 /** @import { Room } from '../../lab/plane-names.js' */
 /** @import { Live } from '../page.js' */
@@ -63,6 +63,10 @@ export function createErrorPosture(root) {
           <path class=${`error-line of-${colour}`} d=${path} /><path class="error-grip" d=${path} />
         </g>`;
       });
+      const values = [...valuesOf(view, 'r', sample.reference), ...valuesOf(view, 'c', sample.posture)].map(
+        ({ term, colour, path }) =>
+          svg`<g data-term=${term}><path class=${`error-value of-${colour}`} d=${path} /></g>`,
+      );
       const labels = terms.map(([name, colour], i) => {
         const { seen } = marks[i];
         const place = `translate(${at[i][0]}px, ${at[i][1]}px)`;
@@ -70,7 +74,7 @@ export function createErrorPosture(root) {
           .style=${`transform: ${place} translate(-50%, -50%)`}>${symbols[i]}</span>`;
       });
       render(
-        html`<svg aria-hidden="true"><path class="error-ahead" d=${ahead} />${lines}</svg>${labels}`,
+        html`<svg aria-hidden="true"><path class="error-ahead" d=${ahead} />${lines}${values}</svg>${labels}`,
         root,
       );
     },
@@ -90,6 +94,19 @@ function freeOf(size, places, taken, arrows) {
     all.find((one) => isFree(one, [...taken, ...arrows])) ?? all.find((one) => isFree(one, taken)) ?? all[0];
   taken.push(room(at));
   return at;
+}
+
+/** Where x, y and θ of a posture are read, seen while their symbol is pointed at: lines to both axes, and the angle from the horizontal. @param {View} view @param {'r' | 'c'} index @param {Posture} posture */
+function valuesOf(view, index, { x, y, theta }) {
+  const [px, py] = [view.screenX(x), view.screenY(y)];
+  const radius = radiusIn(view) * 0.75;
+  const { path } = arcOf([px, py], radius, 0, Math.atan2(Math.sin(theta), Math.cos(theta)));
+  const [ahead, up] = [radius * Math.cos(theta), radius * Math.sin(theta)];
+  return [
+    { term: `x${index}`, colour: 'x', path: `M${px},${py}V${view.height - 28}` },
+    { term: `y${index}`, colour: 'y', path: `M${px},${py}H48` },
+    { term: `t${index}`, colour: 'theta', path: `M${px + radius},${py}H${px}l${ahead},${-up}${path}` },
+  ];
 }
 
 /** The marks of x_e, y_e and θ_e, and the two directions between which θ_e lies. @param {View} view @param {Sample} sample */
