@@ -43,54 +43,21 @@ export function sharpLine(context, width) {
   return { width: pixels / density, middle };
 }
 
-/** Hears how many pixels of the screen a canvas covers, where the browser tells. @param {HTMLCanvasElement} canvas @param {(pixels: Size) => void} onTold */
-function followPixels(canvas, onTold) {
-  if (!globalThis.ResizeObserverEntry || !('devicePixelContentBoxSize' in ResizeObserverEntry.prototype))
-    return;
-  new ResizeObserver((entries) => {
-    const [{ inlineSize: width, blockSize: height }] = entries[entries.length - 1].devicePixelContentBoxSize;
-    onTold({ width, height });
-  }).observe(canvas, { box: 'device-pixel-content-box' });
-}
-
 /** @param {HTMLCanvasElement} canvas */
 export function createLayer(canvas) {
   const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
-  /** @type {Size | null} */
-  let told = null;
-
-  /** As many pixels as the browser tells that it covers; its size, rounded, where nothing of that size was told. @param {Size} size @param {number} density */
-  const fit = (size, density) => {
-    let [width, height] = [Math.round(size.width * density), Math.round(size.height * density)];
-    if (told && Math.max(Math.abs(told.width - width), Math.abs(told.height - height)) < density + 1)
-      ({ width, height } = told);
-    const isFitted = canvas.width === width && canvas.height === height;
-    if (!isFitted) [canvas.width, canvas.height] = [width, height];
-    return isFitted;
-  };
-  const densityNow = () => globalThis.devicePixelRatio || 1;
-  /** @param {Size} size @param {Paint} paint */
-  const drawOn = (size, paint) => {
-    const density = densityNow();
-    densities.set(context, density);
-    context.setTransform(density, 0, 0, density, 0, 0);
-    // Rounded down, the size ends before the canvas.
-    context.clearRect(0, 0, size.width + 1, size.height + 1);
-    context.save();
-    paint(context);
-    context.restore();
-  };
-  followPixels(canvas, (pixels) => {
-    told = pixels;
-    const picture = pictures.get(canvas);
-    if (picture && !fit(picture.size, densityNow())) drawOn(picture.size, picture.paint);
-  });
-
   return {
     /** Fits the canvas to its size in CSS pixels, empties it, and draws. @param {Size} size @param {Paint} paint It may be called again, to the same end. */
     draw(size, paint) {
-      fit(size, densityNow());
-      drawOn(size, paint);
+      const density = globalThis.devicePixelRatio || 1;
+      const [width, height] = [Math.round(size.width * density), Math.round(size.height * density)];
+      if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
+      densities.set(context, density);
+      context.setTransform(density, 0, 0, density, 0, 0);
+      context.clearRect(0, 0, size.width, size.height);
+      context.save();
+      paint(context);
+      context.restore();
       pictures.set(canvas, { size, paint });
     },
     /** Draws on what stands there already. @param {Paint} more @param {Paint} whole Both together, to be drawn once more elsewhere. */

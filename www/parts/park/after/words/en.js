@@ -13,7 +13,7 @@ export function ending({ best, count }, { parked, generation }, isDone, isFurthe
     return `Evolution ended at ${parked} of ${count}; you had ${best.parked}. That was luck, good or bad: try another seed.`;
   const after = `After ${generation} ${generation === 1 ? 'generation' : 'generations'}`;
   return parked === count
-    ? `${after} one robot parks from all ${count} starts. Nobody told evolution how: all it knew of a robot was one number, the mean cost J of its ${count} drives, and not how many parked.`
+    ? `${after} one robot parks from all ${count} starts. Nobody told evolution how: all it knew of a robot was its mean cost J.`
     : `${after} evolution parks ${parked} of ${count}.`;
 }
 

@@ -13,7 +13,7 @@ export function ending({ best, count }, { parked, generation }, isDone, isFurthe
   if (best && parked <= best.parked)
     return `진화는 로봇 ${count}대 가운데 ${parked}대에서 끝났고, 직접 찾은 세 숫자로는 ${best.parked}대였습니다. 운이 작용하니 다른 시드로 다시 해 보십시오.`;
   return parked === count
-    ? `${generation}세대 만에 출발점 ${count}개 모두에서 주차하는 로봇이 나왔습니다. 방법을 알려 준 사람은 없습니다. 진화가 로봇마다 아는 것은 숫자 하나, 주행 ${count}번의 평균 비용 J뿐이었고, 몇 대가 주차하는지는 몰랐습니다.`
+    ? `${generation}세대 만에 출발점 ${count}개 모두에서 주차하는 로봇이 나왔습니다. 방법을 알려 준 사람은 없습니다. 진화가 로봇마다 아는 것은 평균 비용 J뿐이었습니다.`
     : `${generation}세대 뒤에 진화는 로봇 ${count}대 가운데 ${parked}대를 주차시킵니다.`;
 }
 
