@@ -84,7 +84,7 @@ function sizeOf(text, most, atLeft, font) {
 /** In which corners the legend may stand, the usual one first. */
 const corners = /** @type {const} */ (['top left', 'top right', 'bottom left', 'bottom right']);
 /** So far from the lower edge, above the numbers of the axis. */
-const below = 34;
+const aboveAxis = 34;
 
 /** Where the names of the runs stand below each other. @param {View} view @param {(typeof corners)[number]} corner @param {readonly string[]} texts @returns {Room[]} */
 function roomsIn({ width, height }, corner, texts) {
@@ -92,7 +92,7 @@ function roomsIn({ width, height }, corner, texts) {
     (text, i) => sizeOf(text, Number.POSITIVE_INFINITY, true, i === 0 ? strongFont : undefined).width,
   );
   const left = corner.endsWith('left') ? edge.left : width - edge.right - Math.max(...sizes);
-  const first = corner.startsWith('top') ? edge.top : height - below - texts.length * line;
+  const first = corner.startsWith('top') ? edge.top : height - aboveAxis - texts.length * line;
   return sizes.map((size, i) => {
     const top = first + i * line;
     return { left, right: left + size, top, bottom: top + line };
@@ -115,7 +115,10 @@ export function placeOfLegend(all, texts, dashed) {
   if (!isSmall(view)) return usual;
   const things = standing(all);
   const isFree = (/** @type {Room} */ room) =>
-    room.left >= edge.left && room.top > 0 && !things.some((thing) => meet(thing, room));
+    room.left >= edge.left &&
+    room.right <= view.width - edge.right &&
+    room.top > 0 &&
+    !things.some((thing) => meet(thing, room));
   const free = placed.filter(({ rooms }) => rooms.every(isFree));
   const first = free[0] ?? usual;
   if (first === usual) return usual;
