@@ -115,10 +115,7 @@ export function placeOfLegend(all, texts, dashed) {
   if (!isSmall(view)) return usual;
   const things = standing(all);
   const isFree = (/** @type {Room} */ room) =>
-    room.left >= edge.left &&
-    room.right <= view.width - edge.right &&
-    room.top > 0 &&
-    !things.some((thing) => meet(thing, room));
+    room.left >= edge.left && room.top > 0 && !things.some((thing) => meet(thing, room));
   const free = placed.filter(({ rooms }) => rooms.every(isFree));
   const first = free[0] ?? usual;
   if (first === usual) return usual;
