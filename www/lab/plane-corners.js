@@ -7,7 +7,7 @@ import { postureAt, referenceOf, sizes } from './track.js';
 import { strongFont } from '../kit/lettering.js';
 import { knobOf } from '../kit/transform.js';
 import { isTracking } from '../core/reference.js';
-import { around, isSmall, meet, namesIn, roomOf, widthOf } from './plane-names.js';
+import { around, meet, namesIn, roomOf, widthOf } from './plane-names.js';
 import { strayOf } from './robots.js';
 
 /** At an edge, so far above the corner below. @typedef {{ corner: string, raised: number, room: Room }} Place */
@@ -83,6 +83,8 @@ function sizeOf(text, most, atLeft, font) {
 
 /** In which corners the legend may stand, the usual one first. */
 const corners = /** @type {const} */ (['top left', 'top right', 'bottom left', 'bottom right']);
+/** Up to this height a plane keeps no room for them. */
+const lowest = 340;
 /** So far from the lower edge, above the numbers of the axis. */
 const aboveAxis = 34;
 
@@ -112,7 +114,7 @@ export function placeOfLegend(all, texts, dashed) {
     return corners.map((corner) => ({ corner, isShort, rooms: roomsIn(view, corner, names) }));
   });
   const [usual] = placed;
-  if (!isSmall(view)) return usual;
+  if (view.height > lowest) return usual;
   const things = standing(all);
   const isFree = (/** @type {Room} */ room) =>
     room.left >= edge.left && room.top > 0 && !things.some((thing) => meet(thing, room));
