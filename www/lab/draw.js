@@ -112,10 +112,7 @@ export const headOf = (head, state) => [
 /** @param {State} state @param {Scene} scene @param {View} view @param {boolean} isPaid */
 function placeWordsOf(state, scene, view, isPaid) {
   const ends = endsOf(state);
-  const { texts, solid, dashed } = linesOfLegend({
-    ...{ ...state, ...ends, scene },
-    population: state.population.length,
-  });
+  const { texts, solid, dashed } = linesOfLegend(state, scene, view);
   placeWords(view, scene, ends.start, ends.goal, isPaid, texts.join('\n'), solid, dashed);
 }
 

@@ -99,12 +99,13 @@ export function namesOfRuns({ scene, driver, found, generation }) {
   };
 }
 
-/** The lines of the legend, one below the other, and which of them is the dotted run's. @param {Told & { scene: Scene, population: number }} model */
-export function linesOfLegend(model) {
-  const { scene, population, pins } = model;
-  const { solid, dashed, isAlone } = namesOfRuns(model);
-  const others = scene.others.length > 0 ? [othersText(scene, population)] : [];
-  const pinned = pinTextsOf(pins, scene.pins, scene.experiment);
+/** The lines of the legend that one sees, one below the other, and which of them is the dotted run's. @param {State} state @param {Scene} scene @param {{ width: number, height: number }} size */
+export function linesOfLegend(state, scene, { width, height }) {
+  const { solid, dashed, isAlone } = namesOfRuns({ ...state, scene });
+  // As the styles of the lesson have it.
+  const isBrief = state.lesson > 0 && (height <= 300 || width <= 340);
+  const others = scene.others.length > 0 && !isBrief ? [othersText(scene, state.population.length)] : [];
+  const pinned = isBrief ? [] : pinTextsOf(state.pins, scene.pins, scene.experiment);
   return { texts: [solid, ...others, ...(isAlone ? [] : [dashed]), ...pinned], solid, dashed };
 }
 

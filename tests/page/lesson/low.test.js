@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { linkOfStep, stepNames } from '../../../www/lesson/path.js';
 import { pageTest } from '../harness/browsers.js';
-import { endSurrounding, follow, surround } from '../whole/surround.js';
+import { endSurrounding, follow, overlapping, surround } from '../whole/surround.js';
 
 /** @import { StepName } from '../../../www/lesson/path.js' */
 /** @import { Page } from '../harness/browsers.js' */
@@ -23,6 +23,9 @@ const named = {
   task: '#run',
 };
 
+/** What lies on nothing else. */
+const pieces = '#plane, #robot-clock, .swarm-picture, .picture, .readings > *';
+
 /** Full HD at 150 %, the same with a browser that takes more, and the laptop of 1366 × 768. */
 const sizes = /** @type {const} */ ([
   [1280, 585],
@@ -38,7 +41,7 @@ async function flaws(selector) {
   for (let i = 0, still = 0; i < 120 && still < 4; i += 1) {
     await new Promise((resolve) => requestAnimationFrame(resolve));
     const isComputing = document.querySelector('[aria-busy="true"], .part-waits') !== null;
-    const now = [...outOfSight(), ...onOthers(), ...(isComputing ? [`still, ${i}`] : [])];
+    const now = [...outOfSight(), ...(isComputing ? [`still, ${i}`] : [])];
     still = String(now) === String(found) ? still + 1 : 0;
     found = now;
   }
@@ -65,29 +68,14 @@ async function flaws(selector) {
       ...(isWide ? ['it scrolls sideways'] : []),
     ];
   }
-
-  function onOthers() {
-    const all = [...figure.querySelectorAll('#plane, #robot-clock, .swarm-picture, .picture, .readings > *')]
-      .filter((one) => one.checkVisibility())
-      .map((one) => ({ one, box: one.getBoundingClientRect() }))
-      .filter(({ box }) => box.width > 0 && box.height > 0);
-    return all.flatMap(({ one, box }, i) =>
-      all.slice(i + 1).flatMap(({ one: other, box: next }) => {
-        const across = Math.min(box.right, next.right) - Math.max(box.left, next.left);
-        const down = Math.min(box.bottom, next.bottom) - Math.max(box.top, next.top);
-        return across > 2 && down > 2 && !one.contains(other) && !other.contains(one)
-          ? [`${one.id || one.className} and ${other.id || other.className}`]
-          : [];
-      }),
-    );
-  }
 }
 
 /** @param {Page} page @param {string} selector @param {string} where @param {Record<string, string[]>} found */
 async function lookAtEach(page, selector, where, found) {
   for (const size of sizes) {
     await surround(page, size);
-    const all = await page.evaluate(flaws, selector);
+    const cut = await page.evaluate(flaws, selector);
+    const all = [...cut, ...(await page.evaluate(overlapping, pieces))];
     if (all.length > 0) found[`${where}, ${size.join(' × ')}`] = all;
   }
 }

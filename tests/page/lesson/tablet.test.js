@@ -1,8 +1,11 @@
 // On a tablet held sideways the words of a step stand beside its figure, in which all that one presses or reads is in sight; held upright, below it.
 import assert from 'node:assert/strict';
 import { pageTest } from '../harness/browsers.js';
-import { endSurrounding, follow, surround } from '../whole/surround.js';
+import { endSurrounding, follow, overlapping, surround } from '../whole/surround.js';
 import { lessonViews } from '../whole/views.js';
+
+/** What lies on nothing else. */
+const pieces = '#plane, #robot-clock, .stage, .readings > *';
 
 /** In the page: what of the figure is cut off, and how much of the drive in ink lies under the name of the dotted one, once nothing of it moves. */
 async function flaws() {
@@ -11,7 +14,7 @@ async function flaws() {
   for (let i = 0, still = 0; i < 120 && still < 4; i += 1) {
     await new Promise((resolve) => requestAnimationFrame(resolve));
     const isComputing = document.querySelector('[aria-busy="true"], .part-waits') !== null;
-    const now = [...cutOff(), ...inkUnderName(), ...overlaps(), ...(isComputing ? [`still, ${i}`] : [])];
+    const now = [...cutOff(), ...inkUnderName(), ...(isComputing ? [`still, ${i}`] : [])];
     still = String(now) === String(found) ? still + 1 : 0;
     found = now;
   }
@@ -27,23 +30,6 @@ async function flaws() {
         return box.width > 1 && (box.bottom > foot + 1 || box.right > right + 1 || box.left < left - 1);
       })
       .map(({ id, className, tagName }) => id || className || tagName);
-  }
-
-  /** What lies on what is below it. */
-  function overlaps() {
-    const all = [...figure.querySelectorAll('#plane, #robot-clock, .stage, .readings > *')]
-      .filter((one) => one.checkVisibility())
-      .map((one) => ({ one, box: one.getBoundingClientRect() }))
-      .filter(({ box }) => box.width > 0 && box.height > 0);
-    return all.flatMap(({ one, box }, i) =>
-      all.slice(i + 1).flatMap(({ one: other, box: next }) => {
-        const across = Math.min(box.right, next.right) - Math.max(box.left, next.left);
-        const down = Math.min(box.bottom, next.bottom) - Math.max(box.top, next.top);
-        return across > 2 && down > 2
-          ? [`${one.id || one.className} and ${other.id || other.className}`]
-          : [];
-      }),
-    );
   }
 
   /** Where the plane shares its row. */
@@ -86,7 +72,8 @@ pageTest(
           [1133, 670],
         ])) {
           await surround(page, size);
-          const all = await page.evaluate(flaws);
+          const cut = await page.evaluate(flaws);
+          const all = [...cut, ...(await page.evaluate(overlapping, pieces))];
           // So low that some of it is scrolled to.
           const flawed = size[1] < 700 ? all.filter((flaw) => flaw.includes(' and ')) : all;
           if (flawed.length > 0) found[`${view}, ${size}`] = flawed;

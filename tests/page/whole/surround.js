@@ -41,3 +41,19 @@ export const excess = (page) =>
     const { scrollWidth, scrollHeight } = document.documentElement;
     return [scrollWidth - innerWidth, scrollHeight - innerHeight];
   });
+
+/** In the page: which pieces of the figure beside the words lie on each other, where none holds the other. @param {string} selector */
+export function overlapping(selector) {
+  const all = [...document.querySelectorAll(`.figure :is(${selector})`)]
+    .filter((one) => one.checkVisibility())
+    .map((one) => ({ one, name: one.id || one.className, box: one.getBoundingClientRect() }))
+    .filter(({ box }) => box.width > 0 && box.height > 0);
+  return all.flatMap(({ one, name, box }, i) =>
+    all.slice(i + 1).flatMap((other) => {
+      const across = Math.min(box.right, other.box.right) - Math.max(box.left, other.box.left);
+      const down = Math.min(box.bottom, other.box.bottom) - Math.max(box.top, other.box.top);
+      const isHeld = one.contains(other.one) || other.one.contains(one);
+      return across > 2 && down > 2 && !isHeld ? [`${name} and ${other.name}`] : [];
+    }),
+  );
+}

@@ -42,12 +42,7 @@ export function createErrorPosture(root) {
       const { marks, ahead } = errorOn(view, sample);
       const ends = endsOf(state);
       const { driving, comparison, pins } = scene;
-      const { texts, dashed } = linesOfLegend({
-        ...state,
-        ...ends,
-        scene,
-        population: state.population.length,
-      });
+      const { texts, dashed } = linesOfLegend(state, scene, view);
       const standing = { view, ends, runs: [driving, comparison, ...pins], isPaid: false };
       const taken = [
         ...namesIn(view, ends, driving, false).map(roomOf),

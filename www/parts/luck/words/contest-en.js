@@ -4,6 +4,7 @@
 import { beginningOf } from '../../../kit/text.js';
 import { costText, grouped } from '../../../words/en/numbers.js';
 import { percent, probability, targetText, timesText } from './common.js';
+import { leastRuns } from '../contest-resampling.js';
 
 export const viewLegend = 'What is asked';
 /** @type {import('../../../kit/segmented.js').Choices<'seeds' | 'contest'>} */
@@ -147,7 +148,7 @@ export const contestColumns = [
   { text: 'reached', hint: 'How many runs reached the target; two are compared by Fisher’s exact test' },
   {
     text: 'ERT',
-    hint: 'Expected running time: the drives of all runs until the target or the budget, divided by the number of those that reached it; beside it, of 15 runs or more, its 95 % confidence interval (bootstrap); behind a factor stands that of the factor',
+    hint: `Expected running time: the drives of all runs until the target or the budget, divided by the number of those that reached it; beside it, of ${leastRuns} runs or more, its 95 % confidence interval (bootstrap); behind a factor stands that of the factor`,
   },
   { text: 'median J', hint: 'The median of J at the budget' },
   {

@@ -4,6 +4,7 @@
 import { beginningOf } from '../../../kit/text.js';
 import { costText, grouped } from '../../../words/ko/numbers.js';
 import { probability, targetText, timesText, wholePercent } from './common.js';
+import { leastRuns } from '../contest-resampling.js';
 
 /** @param {number} part */
 export const percent = (part) => `${wholePercent(part)}%`;
@@ -140,7 +141,7 @@ export const contestColumns = [
   { text: '도달', hint: '목푯값에 이른 실행의 수. 두 수는 피셔의 정확 검정으로 견줍니다' },
   {
     text: 'ERT',
-    hint: '기대 실행 시간: 모든 실행이 목푯값이나 한도까지 쓴 주행 횟수를 목푯값에 이른 실행의 수로 나눈 값. 실행이 15번 이상이면 옆에 95% 신뢰구간(부트스트랩). 배수 뒤의 괄호는 그 배수의 신뢰구간',
+    hint: `기대 실행 시간: 모든 실행이 목푯값이나 한도까지 쓴 주행 횟수를 목푯값에 이른 실행의 수로 나눈 값. 실행이 ${leastRuns}번 이상이면 옆에 95% 신뢰구간(부트스트랩). 배수 뒤의 괄호는 그 배수의 신뢰구간`,
   },
   { text: 'J 중앙값', hint: '주행 한도에서 J의 중앙값' },
   {
