@@ -1,5 +1,6 @@
 // What the tab keeps of the lesson is there whatever of the page is open.
 import assert from 'node:assert/strict';
+import { Key } from 'selenium-webdriver';
 import { createKeepsake } from '../../../www/lesson/keepsake.js';
 import { noProgress, progressSlice } from '../../../www/lesson/state.js';
 import { createStore } from '../../../www/run/store.js';
@@ -47,6 +48,12 @@ pageTest(
   async (page) => {
     await page.open('#lab&v=1&lesson=9&who=s1&task=Answer%20all.&aim=J%3C9');
     await page.until('the question', () => document.querySelector('#quiz-ahead .choice'));
+    await page.focus('#slider-kx');
+    await page.press(Key.ARROW_RIGHT);
+    await page.until(
+      'it can be answered',
+      () => !document.querySelector('#quiz-ahead [aria-disabled="true"]'),
+    );
     await page.click('#quiz-ahead .choice:nth-child(2)');
     await page.until('it is answered', () => document.querySelector('#quiz-ahead .quiz-why strong'));
     await page.click('#page-landscape');

@@ -213,6 +213,7 @@ pageTest(
     }
     // On a telephone they are the sight over the words.
     await page.resize(400, 800);
+    await page.open('#lesson&step=lecturers');
     for (const [item, chosen] of [
       ['demonstration-park', 'gains'],
       ['demonstration-random', 'part'],

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { furthestOf } from '../../../www/parts/training/request.js';
 import { createSets, setNames, testOn } from '../../../www/parts/training/sets.js';
+import { rangesOf } from '../../../www/parts/training/spread.js';
 import * as en from '../../../www/parts/training/words/en.js';
 import * as ko from '../../../www/parts/training/words/ko.js';
 import { pageTest } from '../harness/browsers.js';
@@ -31,7 +32,7 @@ test('of an experiment with many starts nothing says that it has one', () => {
   const result = (/** @type {number} */ count) =>
     /** @type {any} */ ({ training: faring(count), unseen: faring(1000 + count), own: count });
   const many = result(99);
-  const spread = { one: [10, 20], circle: [500, 600], grid: [700, 800] };
+  const ranges = rangesOf({ one: [10, 20], circle: [500, 600], grid: [700, 800] });
   for (const [words, ofOne] of /** @type {const} */ ([
     [en, /\b(one )?start\b/],
     [ko, /출발점 하나|출발점 1개|^출발점\sJ$/m],
@@ -40,7 +41,7 @@ test('of an experiment with many starts nothing says that it has one', () => {
       words.columnsOf(1000, count).at(-1),
       words.invitation(count),
       words.question(result(count)),
-      words.spreadText(spread, 1000, count),
+      words.spreadText(ranges, 1000, count),
       words.lesson(/** @type {any} */ ({ results: { one: result(count), circle: many, grid: many } })),
     ]);
     for (const text of said[0]) assert.match(String(text), ofOne);

@@ -7,6 +7,7 @@ import { costWriter } from '../../../www/parts/generation/words/common.js';
 import * as en from '../../../www/parts/generation/words/en.js';
 import * as ko from '../../../www/parts/generation/words/ko.js';
 import { shareText } from '../../../www/parts/robustness/words/common.js';
+import { rangesOf } from '../../../www/parts/training/spread.js';
 import { spreadText } from '../../../www/parts/training/words/en.js';
 import { shareOf } from '../../../www/parts/training/words/common.js';
 import { costBeside } from '../../../www/share/handin/words/common.js';
@@ -27,7 +28,7 @@ test('only all are 100 %, and only none are 0 %', () => {
   assert.deepEqual([shareText(0.5332), shareText(1 - 1e-5), shareText(1e-5)], ['53.3', '>99.9', '<0.1']);
   const counts = [998, 999, 999];
   assert.match(
-    spreadText({ one: [250, 400], circle: counts, grid: counts }, 1000, 1),
+    spreadText(rangesOf({ one: [250, 400], circle: counts, grid: counts }), 1000, 1),
     /33\u202f% \(25 to 40\u202f%\) .*99\.9\u202f% \(99\.8 to 99\.9\u202f%\)/,
   );
 });

@@ -8,7 +8,7 @@ import { remember } from '../../kit/memo.js';
 import { endsOf } from '../../run/state.js';
 import { gainsOf } from '../../run/drivers.js';
 import { undisturbed, withDisturbance } from '../../run/scene.js';
-import { usualStarts } from './summary.js';
+import { usualStarts } from './numbers.js';
 
 /** @typedef {import('../../core/engine.js').ErrorParts} ErrorParts */
 /** The experiment's first start is that of the drive. @typedef {{ experiment: Experiment, gains: Triple, seconds: number }} Spec */

@@ -2,6 +2,7 @@
 /** @import { Experiment } from '../../core/engine.js' */
 /** @import { Measured } from './request.js' */
 import { median } from 'd3-array';
+import { edgePercent } from './numbers.js';
 
 /** @typedef {typeof parts[number]} PartName */
 /** The largest of the last seconds: of the drive, and of the other starts. @typedef {{ drive: number, median: number, largest: number }} Sizes */
@@ -30,12 +31,6 @@ import { median } from 'd3-array';
  */
 
 export const parts = /** @type {const} */ (['x', 'y', 'theta']);
-
-/** How many other starts there are, unless their samples were too many. */
-export const usualStarts = 32;
-
-/** So near is on the edge, inside or outside: there a slip lets robots come to rest. */
-export const edgePercent = 1;
 
 /** @param {number} error @param {number} set @returns {Place} */
 export function placeOf(error, set) {

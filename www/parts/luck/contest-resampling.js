@@ -12,8 +12,6 @@ const sure = 0.95;
 export const draws = 100;
 /** What can be told is less probable by chance. */
 export const level = 0.05;
-/** Of fewer runs no interval is told: it would hold far less often than it says. */
-export const leastRuns = 15;
 
 /** Numbers from 0 to 1 that look random: the finaliser of MurmurHash3 on a counter. @param {number} seed */
 function numbers(seed) {

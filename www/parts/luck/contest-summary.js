@@ -4,11 +4,11 @@
 /** @import { Comparison } from './contest-resampling.js' */
 /** @import { Contestant } from './contestants.js' */
 import { bisectRight } from 'd3-array';
+import { leastRuns } from './contest-numbers.js';
 import {
   comparisonsOf,
   factorOf,
   intervalOf,
-  leastRuns,
   level,
   resampledTimes,
   someOf,

@@ -22,7 +22,7 @@ import { hasMovingReference } from '../../core/reference.js';
 import { createPicture, signs } from './picture.js';
 import { createTraining, evolvedFor, furthestOf, handOf } from './request.js';
 import { circleCount, gridCount, isSet, setNames, unseenCount, unseenRadius } from './sets.js';
-import { seedCount } from './spread.js';
+import { rangesOf, seedCount } from './spread.js';
 import { tableOf } from './table.js';
 
 const { texts } = words;
@@ -258,7 +258,7 @@ function findingOf(state, rows) {
   if (evolved) {
     if (hasMovingReference(evolved.experiment)) return words.followed(evolved);
     if (!spread) return words.lesson(evolved);
-    return words.spreadText(spread, unseenCount, evolved.results.one.training.starts.length);
+    return words.spreadText(rangesOf(spread), unseenCount, evolved.results.one.training.starts.length);
   }
   if (hasMovingReference(experiment)) return words.tracking;
   const ep = rows.find(({ name }) => name === 'paper-ep');

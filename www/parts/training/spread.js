@@ -3,9 +3,12 @@
 /** @import { SurveyOptions } from '../../core/surveys.js' */
 /** @import { Evolved } from './request.js' */
 /** @import { SetName, Sets } from './sets.js' */
+import { median } from 'd3-array';
 import { setNames, testOn } from './sets.js';
 
 /** From how many unseen starts the robot of each seed arrives, the shown one first. @typedef {Record<SetName, readonly number[]>} Spread */
+
+/** What is told of a set. @typedef {{ seeds: number, least: number, median: number, most: number }} Range */
 
 export const seedCount = 15;
 /** A seed has so many values. */
@@ -31,3 +34,18 @@ export async function evolveSeeds(engine, sets, { experiment, generations, resul
   };
   return { one: of('one'), circle: of('circle'), grid: of('grid') };
 }
+
+/** @param {readonly number[]} counts @returns {Range} */
+const rangeOf = (counts) => ({
+  seeds: counts.length,
+  least: Math.min(...counts),
+  median: median(counts) ?? 0,
+  most: Math.max(...counts),
+});
+
+/** @param {Spread} spread @returns {Record<SetName, Range>} */
+export const rangesOf = ({ one, circle, grid }) => ({
+  one: rangeOf(one),
+  circle: rangeOf(circle),
+  grid: rangeOf(grid),
+});

@@ -1,7 +1,7 @@
 // Every word of the disturbance part, in Korean.
 /** @import { Experiment } from '../../../core/engine.js' */
 /** @import { PartName, Summary } from '../summary.js' */
-import { edgePercent, usualStarts } from '../summary.js';
+import { edgePercent, usualStarts } from '../numbers.js';
 import {
   amount,
   crestSeconds,

@@ -2,9 +2,9 @@
 /** @import { Factor, Lowest, Verdict } from '../contest-summary.js' */
 /** @import { Contestant } from '../contestants.js' */
 import { beginningOf } from '../../../kit/text.js';
+import { leastRuns } from '../contest-numbers.js';
 import { costText, grouped } from '../../../words/en/numbers.js';
 import { percent, probability, targetText, timesText } from './common.js';
-import { leastRuns } from '../contest-resampling.js';
 
 export const viewLegend = 'What is asked';
 /** @type {import('../../../kit/segmented.js').Choices<'seeds' | 'contest'>} */

@@ -2,9 +2,9 @@
 /** @import { Factor, Lowest, Verdict } from '../contest-summary.js' */
 /** @import { Contestant } from '../contestants.js' */
 import { beginningOf } from '../../../kit/text.js';
+import { leastRuns } from '../contest-numbers.js';
 import { costText, grouped } from '../../../words/ko/numbers.js';
 import { probability, targetText, timesText, wholePercent } from './common.js';
-import { leastRuns } from '../contest-resampling.js';
 
 /** @param {number} part */
 export const percent = (part) => `${wholePercent(part)}%`;

@@ -1,6 +1,5 @@
 // Every word of the training part.
 /** @import { Evolved, Result, RowName } from '../request.js' */
-import { median } from 'd3-array';
 import { cost, isEvolved, shareOf } from './common.js';
 import { fixed, grouped, postureText, tookText } from '../../../words/en/numbers.js';
 
@@ -115,11 +114,11 @@ export const tracking =
 export const followed = ({ results: { one, circle, grid } }) =>
   `The reference moves, so none arrives: compare the mean J from ${whole(one.unseen.starts.length)} starts never seen. Evolved on ${starts(one.training.starts.length)}: ${cost(one.unseen.cost)}. On a circle of ${circle.training.starts.length}: ${cost(circle.unseen.cost)}, on a grid of ${grid.training.starts.length}: ${cost(grid.unseen.cost)}.`;
 
-/** How far luck reaches. @param {import('../spread.js').Spread} spread @param {number} unseen @param {number} own The starts of the experiment. */
+/** How far luck reaches. @param {Record<import('../sets.js').SetName, import('../spread.js').Range>} ranges @param {number} unseen @param {number} own The starts of the experiment. */
 export function spreadText({ one, circle, grid }, unseen, own) {
-  const told = (/** @type {readonly number[]} */ counts) =>
-    `${percent(median(counts) ?? 0, unseen)} (${shareOf(Math.min(...counts), unseen)} to ${percent(Math.max(...counts), unseen)})`;
-  return `One seed is a matter of luck. With ${one.length} seeds the robots evolved on ${starts(own)} arrive from a median (least to most) of ${told(one)} of the starts they never saw, those of the circle from ${told(circle)}, those of the grid from ${told(grid)}.`;
+  const told = (/** @type {import('../spread.js').Range} */ { least, median, most }) =>
+    `${percent(median, unseen)} (${shareOf(least, unseen)} to ${percent(most, unseen)})`;
+  return `One seed is a matter of luck. With ${one.seeds} seeds the robots evolved on ${starts(own)} arrive from a median (least to most) of ${told(one)} of the starts they never saw, those of the circle from ${told(circle)}, those of the grid from ${told(grid)}.`;
 }
 
 /** What more arrivals cost, or why there are no more. Nothing where neither is so. @param {Result} one @param {Result} many @param {string} where */

@@ -1,6 +1,5 @@
 // Every word of the training part, in Korean.
 /** @import { Evolved, Result, RowName } from '../request.js' */
-import { median } from 'd3-array';
 import { cost, isEvolved, shareOf } from './common.js';
 import { fixed, grouped, postureText, tookText } from '../../../words/ko/numbers.js';
 
@@ -106,11 +105,11 @@ export const tracking =
 export const followed = ({ results: { one, circle, grid } }) =>
   `기준 자세가 움직이므로 도착하는 로봇은 없습니다. 처음 보는 출발점 ${grouped(one.unseen.starts.length)}개의 평균 J로 비교하면, 출발점 ${one.training.starts.length}개로 진화한 로봇은 ${cost(one.unseen.cost)}, 원 위의 ${circle.training.starts.length}개로는 ${cost(circle.unseen.cost)}, 격자의 ${grid.training.starts.length}개로는 ${cost(grid.unseen.cost)}입니다.`;
 
-/** How far luck reaches. @param {import('../spread.js').Spread} spread @param {number} unseen @param {number} own The starts of the experiment. */
+/** How far luck reaches. @param {Record<import('../sets.js').SetName, import('../spread.js').Range>} ranges @param {number} unseen @param {number} own The starts of the experiment. */
 export function spreadText({ one, circle, grid }, unseen, own) {
-  const told = (/** @type {readonly number[]} */ counts) =>
-    `${percent(median(counts) ?? 0, unseen)}(${shareOf(Math.min(...counts), unseen)}~${percent(Math.max(...counts), unseen)})`;
-  return `시드 하나로는 운이 크게 작용합니다. 시드 ${one.length}개로 진화시키면 처음 보는 출발점에서 도착하는 비율의 중앙값(최소~최대)은 출발점 ${own === 1 ? '하나' : `${own}개`}로 진화한 로봇이 ${told(one)}, 원으로 진화한 로봇이 ${told(circle)}, 격자로 진화한 로봇이 ${told(grid)}\u2060입니다.`;
+  const told = (/** @type {import('../spread.js').Range} */ { least, median, most }) =>
+    `${percent(median, unseen)}(${shareOf(least, unseen)}~${percent(most, unseen)})`;
+  return `시드 하나로는 운이 크게 작용합니다. 시드 ${one.seeds}개로 진화시키면 처음 보는 출발점에서 도착하는 비율의 중앙값(최소~최대)은 출발점 ${own === 1 ? '하나' : `${own}개`}로 진화한 로봇이 ${told(one)}, 원으로 진화한 로봇이 ${told(circle)}, 격자로 진화한 로봇이 ${told(grid)}\u2060입니다.`;
 }
 
 /** What more arrivals cost, or why there are no more. Nothing where neither is so. @param {Result} one @param {Result} many @param {string} where */
