@@ -92,7 +92,7 @@ test('who is chosen is one of the others only where it drives among them', () =>
     assert.equal(own?.othersText(all, 16), text);
   }
   const others = { drawn: 20, all: 20, isAmong: false, arrived: 16 };
-  assert.equal(ko.othersText(anatomyOf(5), 'drive', others), '자손 로봇 20대, 16대 도착');
+  assert.equal(ko.othersText(anatomyOf(5), 'drive', others), '자손 로봇 20대, 그중 16대 도착');
 });
 
 test('whatever the method, Korean counts robots as robots, and none that is left twice', () => {
@@ -106,7 +106,10 @@ test('whatever the method, Korean counts robots as robots, and none that is left
       assert.doesNotMatch(ko.fateText(anatomy, number), /(?<!로봇 )20대/);
     const told = (/** @type {boolean} */ isAmong) =>
       ko.othersText(anatomy, 'survivors', { ...others, isAmong });
-    assert.deepEqual([told(true), told(false)], ['나머지 로봇 19대, 16대 도착', '남은 로봇 19대, 16대 도착']);
+    assert.deepEqual(
+      [told(true), told(false)],
+      ['나머지 로봇 19대, 그중 16대 도착', '남은 로봇 19대, 그중 16대 도착'],
+    );
   }
 });
 

@@ -36,7 +36,10 @@ test('of one other that drives beside the best the lab says as of one whether it
     }
   assert.equal(othersText({ others: 1, population: 2, arrived: null }), 'the other one');
   assert.equal(othersText({ others: 2, population: 3, arrived: 0 }), 'the other 2, 0 of them arrive');
-  assert.equal(othersInKorean({ others: 2, population: 3, arrived: 1 }), '나머지 로봇 2대, 1대 도착');
+  assert.deepEqual(
+    [0, 1, 2].map((arrived) => othersInKorean({ others: 2, population: 3, arrived })),
+    ['나머지 로봇 2대, 모두 미도착', '나머지 로봇 2대, 그중 1대 도착', '나머지 로봇 2대, 모두 도착'],
+  );
 });
 
 test('so does each phase of each method with the fewest robots', () => {

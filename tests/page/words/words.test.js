@@ -105,6 +105,15 @@ test('every language has the words of English, and none of them is English', () 
   }
 });
 
+test('no name of the sources stands in a sentence', () => {
+  for (const [language, words] of Object.entries({ en, ko }))
+    for (const [place, text] of textsOf(words, language)) {
+      const prose = text.replaceAll(/\{[^}]*\}|\]\([^)]*\)/g, '');
+      if (!isIdentifier(place.replace(`${language}.`, '')))
+        assert.doesNotMatch(prose, /\b[a-z]+[A-Z]/, place);
+    }
+});
+
 test('from language to language one comes to all', () => {
   const met = new Set();
   /** @type {import('../../../www/words/language.js').Language} */

@@ -4,6 +4,7 @@
 import { beginningOf } from '../../kit/text.js';
 import { isTracking } from '../../core/reference.js';
 import { costText, fixed, grouped, postureText, sixDigits, textBelow } from './numbers.js';
+import { arrivedText } from './arrived.js';
 
 export * from '../common/lab.js';
 export * from './computing.js';
@@ -126,8 +127,7 @@ export const costParts = [
 export function othersText({ others, population, arrived }) {
   const who =
     others === population - 1 ? `나머지 로봇 ${others}대` : `전체 로봇 ${population}대 중 다음 ${others}대`;
-  if (arrived === null) return who;
-  return others === 1 ? `${who}, ${arrived === 1 ? '도착' : '미도착'}` : `${who}, ${arrived}대 도착`;
+  return arrived === null ? who : `${who}, ${arrivedText(arrived, others)}`;
 }
 
 /** @param {string} name @param {Run} run */

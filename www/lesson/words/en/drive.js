@@ -10,7 +10,7 @@ export const drive = {
 Move the three sliders under the picture. Each time you change a number, the robot drives again. The large number is *J*, the *cost* of the drive: it adds up the *time* the robot took, how far from the goal it was all the way (*path*) and at the end (*final*), and how fast it drove and turned (*energy*). *Lower is better.*
 
 The paper that this page follows compares *arbitrary* gains, picked without evolution (here J is {=arbitrary}), with those that *evolutionary programming*, EP for short, found ({=ep}). *Can you get below both?*`,
-    next: `You changeText numbers by feel, watched, and kept what was better. From one start that is not hard. Soon it will be: the same three numbers must park robots from everywhere, and then evolution does what you did, with twenty robots at a time, and does not tire. But what *are* these three numbers?`,
+    next: `You changed numbers by feel, watched, and kept what was better. From one start that is not hard. Soon it will be: the same three numbers must park robots from everywhere, and then evolution does what you did, with twenty robots at a time, and does not tire. But what *are* these three numbers?`,
   },
   /** @param {import('../common.js').Drives} tally */
   tally: ({ drives, best }) =>

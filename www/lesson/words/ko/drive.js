@@ -25,7 +25,7 @@ export const drive = {
       choices: ['더 빨리 도착하고 J도 낮아진다', '더 빨리 도착하지만 J는 높아진다', '더 늦게 도착한다'],
       /** @param {{ gentle: Run, bold: Run }} outcome */
       why: ({ gentle, bold }) =>
-        `5로는 ${arrival(gentle)}, J는 ${costText(gentle.cost.total)}입니다. 10으로는 ${arrival(bold)}, J는 ${costText(bold.cost.total)}입니다. 5에서 10으로 바꿀 때 J의 몫의 변화: 시간 ${changeText(bold.cost.time - gentle.cost.time)}, 경로 ${changeText(bold.cost.path - gentle.cost.path)}, 에너지 ${changeText(bold.cost.energy - gentle.cost.energy)}. 둘 다 그려져 있습니다. 5로 달린 주행은 비교할 수 있게 *고정*해 둔, 색이 있는 파선입니다.`,
+        `5로는 ${arrival(gentle)}, J는 ${costText(gentle.cost.total)}입니다. 10으로는 ${arrival(bold)}, J는 ${costText(bold.cost.total)}입니다. 5에서 10으로 바꾸면 J의 몫은 시간 ${changeText(bold.cost.time - gentle.cost.time)}, 경로 ${changeText(bold.cost.path - gentle.cost.path)}, 에너지 ${changeText(bold.cost.energy - gentle.cost.energy)}만큼 달라집니다. 두 주행이 모두 그려져 있습니다. 5로 달린 주행은 비교할 수 있게 *고정*해 두었으며, 색이 있는 파선이 그것입니다.`,
     },
   },
   tries: {

@@ -66,7 +66,7 @@ export const duel = {
       question:
         '지금까지 시도한 횟수: {=drives}. 최소 평균 J: {=best}. 마지막에 누구의 평균 {J}가 가장 낮겠습니까? (예측하면 최고 기록이 확정됩니다.)',
       choices: ['나', '진화', '무작위 탐색', '진화와 무작위 탐색이 같은 J로'],
-      first: '먼저 슬라이더를 움직여 보십시오. 한 번이라도 시도한 뒤에 예측합니다.',
+      first: '먼저 슬라이더를 움직여 보십시오. 한 번이라도 시도해야 예측할 수 있습니다.',
       /** @param {Verdict} verdict */
       why: ({ costs, drives, given, generation, seed }) => {
         const you = `나: ${trialsText(drives)}에 ${costText(costs.you)}.`;

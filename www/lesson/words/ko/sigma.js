@@ -42,7 +42,7 @@ export const sigma = {
       ],
       /** @param {{ own: number, usual: number, generation: number, sigma: number, falls: boolean }} outcome */
       why: ({ own, usual, generation, sigma, falls }) =>
-        `${generation}세대 뒤 최소 J는 ${costText(own)}이고, σ = 1로 시작하면 ${costText(usual)}입니다. 새 σ가 이전 값의 두 배를 넘는 것은 일곱 번에 한 번쯤${falls ? '입니다. 게다가 여기서는 σ가 커지기는커녕 작아집니다. 이렇게 짧은 걸음 가운데서는 가장 짧은 걸음이 가장 덜 망치므로 살아남습니다. 자세한 이야기는 이 단계의 끝에 나옵니다.' : `이어서, ${sigma}에서 커지려면 여러 세대가 걸립니다.`}`,
+        `${generation}세대 뒤 최소 J는 ${costText(own)}이고, σ = 1로 시작하면 ${costText(usual)}입니다. 새 σ가 이전 값의 두 배를 넘는 것은 일곱 번에 한 번쯤${falls ? '입니다. 게다가 여기서는 σ가 커지기는커녕 작아집니다(곡선이 내려갑니다). 이렇게 짧은 걸음 가운데서는 가장 짧은 걸음이 가장 덜 망치므로 살아남습니다. 자세한 이야기는 이 단계의 끝에 나옵니다.' : `이어서, ${sigma}에서 커지려면 여러 세대가 걸립니다.`}`,
     },
     further: {
       question:

@@ -50,7 +50,7 @@ export const kindText = ({ kind, seed }) =>
 
 /** Where the experiment has another. @param {Experiment['disturbance']} own */
 export const ownText = ({ kind, linear, angular }) =>
-  `여기서만 시험합니다. 실험의 외란: ${kind === 'random' ? '무작위' : '미끄러짐'}, ${threeDigits(linear)} m/s, ${threeDigits(angular)} rad/s`;
+  `이 외란은 여기서만 시험합니다. 실험의 외란: ${kind === 'random' ? '무작위' : '미끄러짐'}, ${threeDigits(linear)} m/s, ${threeDigits(angular)} rad/s`;
 
 /** @param {string} message @param {boolean} kept */
 export const failed = (message, kept) =>
@@ -117,7 +117,7 @@ function driveText(summary) {
   if (outside.length === 0)
     return edge.length === 0
       ? `${last} 이 주행은 ${setsText(pushed)}의 최대 범위 안에 머뭅니다.`
-      : `${last} 이 주행은 ${setsText(edge)}의 경계에서 ${edgePercent}% 이내에 이릅니다.`;
+      : `${last} 이 주행은 ${setsText(edge)}의 경계(±${edgePercent}%)에 이릅니다.`;
   const excess = outside.map(
     (part) =>
       `${formulaText(part)} 최대 ${amount(part, rows[part].drive)}(집합의 경계 ${amount(part, rows[part].set)})`,
@@ -130,9 +130,9 @@ function othersText(summary) {
   const { calm, starts, allInside, allEdge, pushed, worst, disturbed } = summary;
   const most = `남는 최대 오차는 ${formulaText(worst)} ${amount(worst, calm[worst].largest)}입니다.`;
   if (!isPromised(summary)) return `${startsText(starts)}에서 ${disturbed ? '외란이 없어도 ' : ''}${most}`;
-  const atEdge = `머물고, ${allEdge}개는 경계에 이르지만 ${edgePercent}% 넘게 벗어나지는 않습니다`;
+  const atEdge = allEdge > 0 ? `, 경계(±${edgePercent}%)에 이르는 것은 ${allEdge}개` : '';
   const others = disturbed
-    ? `${startsText(starts)} 중 ${allInside}개가 ${setsText(pushed)}의 최대 범위 안에 ${allEdge > 0 ? atEdge : '머뭅니다'}. 외란이 없어도 ${most}`
+    ? `${startsText(starts)} 중 ${setsText(pushed)}의 최대 범위 안에 머무는 것은 ${allInside}개${atEdge}입니다. 외란이 없어도 ${most}`
     : `${startsText(starts)}에서 ${most}`;
   return `${others} 정리는 얼마나 빨리 줄어드는지 말하지 않으며, 제한과 샘플링도 고려하지 않습니다.`;
 }
@@ -140,7 +140,7 @@ function othersText(summary) {
 /** Why there are so few others. @param {Summary} summary */
 const fewText = ({ starts, horizon, samples }) =>
   starts < usualStarts
-    ? `${sixDigits(horizon)}초의 주행에는 샘플이 ${grouped(samples)}개 있으므로 다른 출발점은 ${usualStarts}개가 아니라 ${starts}개입니다.`
+    ? `${sixDigits(horizon)}초를 주행하면 샘플이 ${grouped(samples)}개나 되므로, 다른 출발점은 ${usualStarts}개가 아니라 ${starts}개만 계산합니다.`
     : '';
 
 /** Why the theorem is not about this drive, or a set so wide that it says nothing. @param {Summary} summary */

@@ -3,6 +3,7 @@
 /** @import { Others } from './common.js' */
 import { costsApart, costWriter, luckSign, tellingApart } from './common.js';
 import { nameOf, sentenceOfMethod } from './methods-ko.js';
+import { arrivedText } from '../../../words/ko/arrived.js';
 import { fixed } from '../../../words/ko/numbers.js';
 
 export * from './common.js';
@@ -88,10 +89,10 @@ export function othersText({ method, record }, phase, { drawn, all, isAmong, arr
       ? { parents: '부모 로봇', mutation: '부모 로봇', drive: '자손 로봇', survivors: '생존 로봇' }
       : { parents: '로봇', mutation: '로봇', drive: '시험 로봇', survivors: isAmong ? '로봇' : '남은 로봇' };
   const these = isAmong ? '나머지 ' : '';
-  const bouts = `${record.opponents[0]?.length ?? 0}번의 대결에서 만난 상대 로봇`;
+  const bouts = `대결 ${record.opponents[0]?.length ?? 0}번에서 만난 상대 로봇`;
   const who = phase === 'tournament' ? bouts : `${these}${phase === 'ranking' ? '로봇' : kind[phase]}`;
   const told = drawn < all ? `${who} ${all}대 중 ${drawn}대` : `${who} ${all}대`;
-  return arrived === null ? told : `${told}, ${arrived}대 도착`;
+  return arrived === null ? told : `${told}, ${arrivedText(arrived, drawn)}`;
 }
 
 export const pictureLabel = '이 세대의 개체. 화살표 키로 하나를 고릅니다';

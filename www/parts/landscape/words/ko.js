@@ -38,7 +38,7 @@ export const readout = (who, gains, run, outcome, isOneOfMany) =>
 export const lowest = '최저점';
 /** @param {number} points @param {string} gains @param {number} cost */
 export const lowestText = (points, gains, cost) =>
-  `점 ${grouped(points)}개 중 가장 낮은 점: J ${costText(cost)}, ${gains}`;
+  `계산한 점 ${grouped(points)}개 중 가장 낮은 점: J ${costText(cost)}, ${gains}`;
 
 /** @param {number} count */
 export const outside = (count) => `개체군의 로봇 ${count}대는 이 범위 밖에 있습니다`;

@@ -138,7 +138,7 @@ export const toldText = (told, count) => `시드 ${count}개를 100번 뽑으면
 export const targetLine = (target) => `목푯값 ${targetText(target)}`;
 
 export const contestColumns = [
-  { text: '도달', hint: '목푯값에 이른 실행의 수. 두 수는 피셔의 정확 검정으로 견줍니다' },
+  { text: '도달', hint: '목푯값에 이른 실행의 수. 첫 참가자와의 비교는 피셔의 정확 검정' },
   {
     text: 'ERT',
     hint: `기대 실행 시간: 모든 실행이 목푯값이나 한도까지 쓴 주행 횟수를 목푯값에 이른 실행의 수로 나눈 값. 실행이 ${leastRuns}번 이상이면 옆에 95% 신뢰구간(부트스트랩). 배수 뒤의 괄호는 그 배수의 신뢰구간`,
@@ -150,7 +150,7 @@ export const contestColumns = [
   },
   {
     text: 'p',
-    hint: 'A12와 같은 우열 기준으로 계산한 만–휘트니 양측 검정, 줄 수에 대한 홀름 보정. 시드를 함께 쓰지 않는다고 보므로, 여기서는 신중한 값',
+    hint: 'A12와 같은 우열 기준으로 계산한 만–휘트니 양측 검정, 줄 수에 대한 홀름 보정. 같은 시드를 쓴다는 것을 고려하지 않으므로, 여기서는 보수적인 값',
   },
 ];
 /** The columns in a line; their hints have it in full. */
@@ -159,6 +159,9 @@ export const columnsText =
 /** @param {number} reached @param {number} count */
 export const reachedText = (reached, count) => `${reached}/${count}`;
 
+/** More than half of them. @param {number} part */
+const ofPairs = (part) => (part < 1 && part >= 0.995 ? '99%가 넘는 쌍' : `${percent(part)}의 쌍`);
+
 /** @param {Verdict} verdict @param {Contestant | null} name */
 export function verdictText(verdict, name) {
   const who = shortName(name);
@@ -166,7 +169,7 @@ export function verdictText(verdict, name) {
     case 'same':
       return '모든 실행이 첫 참가자와 똑같습니다. 이 주행 횟수 안에서는 이것을 바꾸어도 달라지는 것이 없습니다. (처음의 무작위 로봇만 주행하는 동안에는 어떤 방법도 다르지 않습니다.)';
     case 'undecided':
-      return `${verdict.runs}번의 실행으로는 둘의 차이를 알 수 없습니다${verdict.alone === null ? '' : `(이것만 비교하면 p는 ${probability(verdict.alone)}, 비교는 ${1 + verdict.others}개)`}.`;
+      return `${verdict.runs}번의 실행으로는 둘의 차이를 알 수 없습니다${verdict.alone === null ? '' : `(비교 ${1 + verdict.others}개에 대한 보정 없이 이것만 비교했다면 p는 ${probability(verdict.alone)})`}.`;
     case 'sooner':
       return `${who}: 목푯값에 ${timesBetween(verdict)} 빨리 이릅니다.`;
     case 'later':
@@ -180,11 +183,11 @@ export function verdictText(verdict, name) {
     case 'only-first':
       return `${who}: 목푯값에 한 번도 이르지 못합니다. 첫 참가자는 실행 ${verdict.runs}번 중 ${verdict.reached}번 이릅니다.`;
     case 'surer':
-      return `${who}: 두 실행을 짝지으면 ${percent(1 - verdict.a12)}에서 뒤지지만 ${verdict.factor ? `실패가 적어서, 평균으로는 목푯값에 ${timesBetween(verdict.factor)} 빨리 이릅니다` : '실패가 적습니다'}.`;
+      return `${who}: 두 실행을 짝지으면 ${ofPairs(1 - verdict.a12)}에서 뒤지지만 ${verdict.factor ? `실패가 적어서, 평균으로는 목푯값에 ${timesBetween(verdict.factor)} 빨리 이릅니다` : '실패가 적습니다'}.`;
     case 'riskier':
-      return `${who}: 두 실행을 짝지으면 ${percent(verdict.a12)}에서 앞서지만 ${verdict.factor ? `실패가 많아서, 평균으로는 주행이 ${timesBetween(verdict.factor)} 필요합니다` : '실패가 많습니다'}.`;
+      return `${who}: 두 실행을 짝지으면 ${ofPairs(verdict.a12)}에서 앞서지만 ${verdict.factor ? `실패가 많아서, 평균으로는 주행이 ${timesBetween(verdict.factor)} 필요합니다` : '실패가 많습니다'}.`;
     default:
-      return `${who}: 두 실행을 짝지으면 ${percent(verdict.kind === 'better' ? verdict.a12 : 1 - verdict.a12)}에서 ${verdict.kind === 'better' ? '더 낫습니다' : '더 못합니다'}.`;
+      return `${who}: 두 실행을 짝지으면 ${ofPairs(verdict.kind === 'better' ? verdict.a12 : 1 - verdict.a12)}에서 ${verdict.kind === 'better' ? '더 낫습니다' : '더 못합니다'}.`;
   }
 }
 

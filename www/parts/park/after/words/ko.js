@@ -60,7 +60,7 @@ export function missed(robot, count, { seconds, ahead, aside, degrees, gain: nam
     degrees && `방향으로 ${fixed(Math.abs(degrees), 1)}°`,
   ];
   const asked = asks.map(({ value, unit }) => `${fixed(value, 3)} ${unit}`).join(', ');
-  return `로봇 ${count}대 중 ${robot}번 로봇은 주차하지 못했습니다. ${fixed(seconds, 0)}초 뒤에 ${off.filter(Boolean).join(', ')} 벗어나 있습니다. 이를 바로잡는 것은 ${name}, 그곳에서의 명령: ${asked}.`;
+  return `로봇 ${count}대 중 ${robot}번 로봇은 주차하지 못했습니다. ${fixed(seconds, 0)}초 뒤에 ${off.filter(Boolean).join(', ')} 벗어나 있습니다. 이를 바로잡는 이득은 ${name}이며, 그곳에서 ${asked}를 명령합니다.`;
 }
 export const watchThis = '이 로봇을 실험실에서 보기';
 export const previous = '앞 로봇';
