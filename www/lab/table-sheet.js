@@ -23,9 +23,10 @@ export function showTable(table) {
   sheet().open();
 }
 
-/** What opens it. @param {string} id @param {() => Table | null} tableNow */
-export const tableButton = (id, tableNow) =>
-  html`<button id="${id}-table" type="button" class="link" @click=${() => showTable(tableNow())}>${texts.tableButton}</button>`;
+/** What opens it, once there is something to show. @template T @param {string} id @param {T | null} shown @param {(shown: T) => Table} tableOf */
+export const tableButton = (id, shown, tableOf) =>
+  html`<button id="${id}-table" type="button" class="link" aria-disabled=${String(shown === null)}
+    @click=${() => shown !== null && showTable(tableOf(shown))}>${texts.tableButton}</button>`;
 
 /** @param {Table} table @param {HTMLTableElement} rows @param {number} first The row that is shown first. */
 function draw(table, rows, first) {

@@ -95,7 +95,7 @@ test('of the default slip nobody stays inside all three, many stand on an edge, 
   assert.match(en.captionText(summary), /≈: edge ± 1 %$/);
   assert.match(
     ko.summaryText(summary),
-    /집합 \(6\), \(8\)의 경계에서 1% 이내.*32개 중 0개가 세 집합의.*, 11개는 경계에/,
+    /집합 \(6\), \(8\)의 경계\(±1%\)에.*32개 중 세 집합의.* 것은 0개, 경계\(±1%\)에 이르는 것은 11개/,
   );
 });
 

@@ -128,7 +128,7 @@ test('a file that is damaged or foreign is refused with the reason', async () =>
       JSON.stringify({ ...good, statistics: good.statistics.with(2, { ...good.statistics[2], median: 1 }) }),
       /statistics in it is not/,
     ],
-    [runFile(state, engine, links).slice(0, 300), /to its end/],
+    [runFile(state, engine, links).slice(0, 300), /its end is missing/],
   ]);
   for (const [text, reason] of rows)
     await assert.rejects(openRunFile(text, engine, links), { message: reason }, text.slice(0, 60));

@@ -143,7 +143,7 @@ pageTest('who drives stands in one row, or two and two', async (page) => {
 pageTest('on half a screen the corner of the landscape’s table has one line', async (page) => {
   await page.resize(683, 680);
   await page.open('#landscape');
-  await page.until('its table', () => document.getElementById('landscape-table'));
+  await page.until('its table', () => document.querySelector('#landscape-table[aria-disabled="false"]'));
   await page.click('#landscape-table');
   await page.until('it is open', () => document.querySelector('.table-sheet[open] thead th'));
   const [corner, next] = await page.evaluate(() =>

@@ -50,7 +50,7 @@ const gainsText = (gains) => gains.map((gain) => fixed(gain, gain < 10 ? 2 : 0))
 export const swarm = {
   /** @param {string} name @param {number} parked @param {number} starts */
   label: (name, parked, starts) =>
-    `${name}: robots drive from ${starts} starts around one goal. In the end ${parked} of them have parked.`,
+    `${name}: robots drive from ${starts} starts around one goal. In the end ${parked} of them ${parked === 1 ? 'has' : 'have'} parked.`,
   parked: 'parked',
   /** @param {number} starts */
   ofStarts: (starts) => `of ${starts}`,

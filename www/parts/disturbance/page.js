@@ -48,7 +48,7 @@ export function createPage(tools) {
           html`
             <div class="heading">
               <h2 id="disturbance-title">${words.texts.disturbanceTitle}</h2>
-              ${tableButton('disturbance', () => measured && remainsTable(summaryOf(measured)))}
+              ${tableButton('disturbance', measured, (shown) => remainsTable(summaryOf(shown)))}
               <p id="disturbance-note" class=${message ? 'field-error' : 'muted'}>${message ? words.failed(message, measured !== null) : noteOf(tried, own)}</p>
             </div>
             ${controlsOf(tried, error)} ${tableOf(measured && summaryOf(measured))}`,

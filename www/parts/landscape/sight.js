@@ -90,7 +90,7 @@ function sight(landscape, { spec, isTyping, evolving, readout, lowest, legend },
     <div class="heading">
       <h2 id="landscape-title">${texts.landscapeTitle}</h2>
       <p id="landscape-note" class="muted">${noteText(landscape, spec)}</p>
-      ${tableButton('landscape', () => landscape.result && landscapeTable(landscape.result))}
+      ${tableButton('landscape', landscape.result, landscapeTable)}
     </div>
     <div class="bar axes">
       <label>→ ${axisChoice('x', landscape, texts.landscapeAcross, on)}</label>

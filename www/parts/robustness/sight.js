@@ -105,7 +105,7 @@ function sight({ survey, message, quantity, heading, half }, shown, { update, on
     <div class="heading">
       <h2 id="robustness-title">${texts.robustnessTitle}</h2>
       <p id="robustness-note" class=${message ? 'muted failed' : 'muted'}>${shown.note}</p>
-      ${tableButton('robustness', () => survey && robustnessTable(survey))}
+      ${tableButton('robustness', survey, robustnessTable)}
     </div>
     <p class="cost-line row"><span id="robustness-share" class="share">${shown.share}</span> <span class="muted"><span
       id="robustness-summary">${shown.summary}</span><br><span id="robustness-rival">${shown.rival}</span></span></p>

@@ -56,14 +56,14 @@ export const texts = {
   makerPreview: 'What students will see',
   makerAim: 'Solved when',
   makerValue: 'The value',
-  makerDrives: 'Within so many drives (or nothing)',
-  makerPoints: 'Points at two values, and between them on a line (or nothing)',
+  makerDrives: 'Within so many drives (or empty)',
+  makerPoints: 'Points at two values, linear between them (or empty)',
   makerPointsAt: 'points at',
   makerVary: 'Drawn for each student from their number',
   makerUneven:
     'What J can be reached differs then from student to student. Ask for a J that all can reach, or for parking.',
   makerSeeds:
-    'Each evolution is counted by itself: as long as the seed or the settings are free, the best of many counts as one.',
+    'The drives of one evolution are counted: while the seed or the settings are free, students can try many and hand in the best.',
   makerWrong: 'Nothing is copied or saved as long as a field above is wrong.',
   makerTurned: 'The better result has fewer points here: exchange the two values if that is not meant.',
   makerPaperInLesson: 'The lesson tells the paper’s gains: it is hidden with them.',
@@ -96,7 +96,7 @@ export const scorm = {
     noRoom:
       'This platform has no room for what you do now. Hand in before you leave, or it will not be there when you come back.',
     changed:
-      'The exercise was changed since you worked on it, so it begins anew. A result that the platform has stays until you hand in again.',
+      'The exercise has changed since you worked on it, so it begins anew. A result that the platform has stays until you hand in again.',
     kept: 'The learning platform has this result. Handing in again replaces it.',
     nobody: 'No learning platform answers here, so nothing is kept. Press Hand in, and copy the receipt.',
   },
@@ -142,7 +142,7 @@ export const otherCost = (said, found) =>
 /** @param {string} field */
 export const changedFile = (field) => `${field} in it is not that of its run: the file was changed.`;
 
-export const cutFile = 'it is damaged: it does not go on to its end.';
+export const cutFile = 'it is damaged: its end is missing.';
 
 export const largeFile = 'it is too large for a run.';
 
@@ -226,7 +226,7 @@ export const wrongAt = (i, wanted, most) =>
         : 'a share from 0 to 1, for instance 0.3 or 30 %'
   }.`;
 
-export const sameAt = 'The second value must be another than the first.';
+export const sameAt = 'The second value must differ from the first.';
 
 /** @type {Readonly<Record<'none' | 'cost' | 'parks' | 'unseen', string>>} */
 export const aims = {

@@ -26,4 +26,4 @@ export const caption = (robots, generation, first, best) =>
 
 export const article = 'The lesson, to read';
 export const articleNote =
-  'The words of the lesson without its sliders and questions. The same program worked out the numbers when this page was made.';
+  'The words of the lesson without its sliders, questions and things to try, of which they speak at times. The same program worked out the numbers when this page was made.';

@@ -47,11 +47,11 @@ export const settings = {
   'weights.final[2]': { name: 'Final heading', help: 'How much it costs to end with a wrong heading.' },
   'weights.velocity[0]': {
     name: 'Driving fast',
-    help: 'How much speed costs: more of it makes evolution prefer slow robots.',
+    help: 'How much speed costs: the more, the slower the robots that evolution prefers.',
   },
   'weights.velocity[1]': {
     name: 'Turning fast',
-    help: 'How much turning costs: more of it makes evolution prefer gentle curves.',
+    help: 'How much turning costs: the more, the gentler the curves that evolution prefers.',
   },
   'weights.penalty': { name: 'Negative gains', help: 'What one unit of a gain below zero costs.' },
   'starts[0].x': { name: 'Start x', help: 'Where the robot starts; you can also drag it on the plane.' },
@@ -88,7 +88,7 @@ export const settings = {
     help: 'A robot that turns faster than this has not arrived yet. Without it, turning is not looked at.',
   },
   horizon: { name: 'Horizon', help: 'A robot that has not arrived by then is stopped.' },
-  sampleTime: { name: 'Sample time', help: 'The controller gives one command in each of these steps.' },
+  sampleTime: { name: 'Sample time', help: 'The time from one command of the controller to the next.' },
   law: {
     name: 'Law',
     help: 'What turns the error into a command. Kanayama’s rule cannot turn a robot that has to park.',
@@ -154,8 +154,8 @@ export const settings = {
   'evolution.sigmaFloor': { name: 'Least σ', help: 'No σ falls below this.' },
   'evolution.selection': {
     name: 'Survival',
-    help: 'Who survives: who wins the most bouts, who costs least, or the better of parent and child.',
-    choices: { tournament: 'tournament', truncation: 'lowest J', parent: 'child against parent' },
+    help: 'Who survives: who wins the most bouts, who costs least, or the better of parent and offspring.',
+    choices: { tournament: 'tournament', truncation: 'lowest J', parent: 'offspring against parent' },
   },
   'evolution.crossover': {
     name: 'Crossover',

@@ -6,11 +6,11 @@
 export const build = {
   texts: {
     begin: `The robot and its evolution fit into about seventy lines of program. This step says what they must contain, and gives you five numbers by which you know that yours are right.`,
-    motion: `*The robot.* Its posture changes with {v} and {w}, and with nothing else. A program keeps both for one sample of 0.01 s; then the robot drives an exact arc, which needs no approximation. The law (5) commands them, for a goal at rest:`,
+    motion: `*The robot.* Its posture changes with {v} and {w}, and with nothing else. A program holds both for one sample of 0.01 s, in which the robot drives an exact arc: nothing is approximated. The law (5) gives {v} and {w}, for a goal at rest:`,
     errors: `*Its errors* change with {v} and {w} too. You need not integrate (4), for (3) gives the errors at every sample; but with (4) you can check the proof of step 4 with a pencil:`,
     program: `*The program.* One drive, and one generation. Press a phase in the figure: the lines that carry it out light up.`,
     check: `*Is it right?* Check the law first, then one drive, then another. All digits come from the program of this page as it runs now; yours may differ in the last two or three.`,
-    task: `*An open task.* In step 12 one weight made the difference. Now leave the weights alone, {R} = 1, 1, and find another way to park from more than 95 % of unseen starts: a longer horizon, a penalty for each start that is missed, other starts to evolve on, a floor for {s} … Evolve, test on starts that you did not evolve on, and with five seeds. Say what it costs. And does it hold elsewhere?`,
+    task: `*An open task.* In step 12 one weight made the difference. Now leave the weights alone, {R} = 1, 1, and find another way to park from more than 95 % of unseen starts: a longer horizon, a penalty for each start that is missed, other starts to evolve on, a floor for {s} … Evolve, test on starts that you did not evolve on, and with five seeds. Say what your way costs, and whether it holds for another goal.`,
     recap: `*The lesson in seven sentences.*
 
 *1.* Parking means bringing three errors to zero by choosing two velocities.
@@ -83,7 +83,7 @@ export const build = {
   },
   tries: {
     other: 'The task of step 12 with the goal at 0°: the same gains?',
-    accelerate: 'The same with limits of acceleration: what changes?',
+    accelerate: 'The same with acceleration limits: what changes?',
     few: 'With six robots instead of twenty: does luck grow?',
   },
   notice: [

@@ -6,7 +6,7 @@ export const disturbance = {
     slip: `Until now the wheels did exactly what they were told, as far as their limits go. Now the ground slips: {=push}\u00a0m/s is added to whatever speed the robot drives. It runs past the goal, and there it stands, {=distance}\u00a0m away, for good. The close-up picture shows the last centimetres.`,
     why: `Why just there? At this place the law commands {=command}\u00a0m/s: backwards, as fast as the ground slides forwards. Nearer to the goal its command {kx} {xe} cos {te} is slower than the ground slides.`,
     theorem: `Must one know how the ground pushes? No: Theorem 2 asks only for a *bound*. The push {d1} on the speed never exceeds {e1}, the push {d2} on the turn rate never exceeds {e2}. The pushes add ({ye} sin {te} − {xe} cos {te}) {d1} − {d2} sin {te} to the rate of {V}. Each of the three parts of step 4 pulls {V} down; the pushes may lift it. While each part pulls harder than its share of the pushes can lift, {V} falls:`,
-    sets: `Near the goal they cannot all hold: the right side of (6), for one, grows without end. So an error may remain. Solved for the error, each gives a *set* around zero: a coloured band under the curves, a strip in the picture of the last centimetres. *Larger gains, smaller sets*: so, says the paper, one chooses gains for an error that one allows.`,
+    sets: `Near the goal they cannot all hold: the right side of (6), for one, grows without end. So an error may remain. Solved for its error, each gives a *set* around zero: a coloured band under the curves, a strip in the picture of the last centimetres. *Larger gains, smaller sets*: so, says the paper, one chooses gains for an error that one allows.`,
     unknown: `What does the theorem leave out? *Limits*: the paper counts what they cut off as part of the push, but near sin {te} = 0 that has no bound. *Samples*: with gains of 250 a robot that gets a new command 100 times a second *chatters*. And *time*: without a push the error goes to 0, but how fast? With {ky} = {=ky}, from {=starts} other starts, up to {=left}\u00a0m of {ye} are left in the last two of {=horizon} seconds.`,
     next: `So much for what can be proved. Now for the paper’s own numbers: do ours agree with them?`,
   },
@@ -46,7 +46,7 @@ export const disturbance = {
     },
     random: {
       question:
-        'Now *random pushes*: 100 times a second a new one, anything between −0.1 and 0.1 m/s. How far from the goal does the robot of the paper stay in the end?',
+        'Now *random pushes*: 100 times a second a new one, anything between −0.1 and 0.1 m/s. How far from the goal does the robot with the paper’s EP gains stay in the end?',
       choices: ['Farther than with the slip', 'As far', 'Nearer than with the slip'],
       /** @param {{ steady: number, random: number }} outcome */
       why: ({ steady, random }) =>

@@ -17,7 +17,9 @@ The paper that this page follows compares *arbitrary* gains, picked without evol
     best
       ? `Your best so far: J ${costText(best.cost)} with ${best.gains.map((gain) => fixed(gain, 2)).join(', ')}. ${drives === 1 ? '1 drive' : `${drives} drives`}.`
       : drives > 0
-        ? `${drives === 1 ? '1 drive' : `${drives} drives`}, and none has arrived yet.`
+        ? drives === 1
+          ? '1 drive, and it has not arrived.'
+          : `${drives} drives, and none has arrived yet.`
         : 'You have not moved a slider here yet. A drag of one counts as one drive.',
   quizzes: {
     bolder: {

@@ -12,7 +12,7 @@ export const duel = {
 
 You go first. Move the sliders under the picture, or type numbers. Each time you let go of a slider, 32 robots drive: that is *one trial*, however far you dragged. When you are content, *lock in your best*.
 
-Then evolution has its turn: {=count} robots for {=generations} generations, {=given} trials with the first {=count}; if you had more, it gets as many as you. A third player, *random search*, has as many: it draws gains evenly between {=low} and {=high}, keeps the best, and learns nothing.`,
+Then evolution has its turn: {=count} robots for {=generations} generations, {=given} trials, the first {=count} included; if you had more, it gets as many as you. A third player, *random search*, has as many: it draws gains evenly between {=low} and {=high}, keeps the best, and learns nothing.`,
     beyond: `Watch evolution’s robots, and look at its gains above the picture. Its {ky} lies beyond the slider, where few hands would look and where random search cannot go. Nobody told it to look there.`,
     within: `Watch evolution’s robots, and look at its gains above the picture. This time its {ky} lies where a hand or random search can go, too.`,
     after: `*Selection goes on from what was good*: each generation starts where the last one ended. How much it finds in {=generations} generations still depends on luck: try other seeds, and let both go on, before you say who won.`,
@@ -59,7 +59,7 @@ Then evolution has its turn: {=count} robots for {=generations} generations, {=g
     score: (rounds, { you, evolution, random, both }) =>
       rounds === 1
         ? 'One seed is one throw of the dice.'
-        : `Of ${rounds} seeds you win ${you}, evolution ${evolution}, random search ${random}${both > 0 ? `, those two together ${both}` : ''}.`,
+        : `Of ${rounds} seeds you win ${you}, evolution ${evolution}, random search ${random}${both > 0 ? `; in ${both} those two tie` : ''}.`,
   },
   quizzes: {
     ahead: {
@@ -82,7 +82,7 @@ Then evolution has its turn: {=count} robots for {=generations} generations, {=g
   notice: [
     'You look at the robots and think. Evolution knows nothing of robots: all it ever sees is J.',
     'Evolution can leave the range in which the first gains are drawn. This random search cannot.',
-    'You had few trials, evolution had hundreds. That is its way: it does not think, but it does not tire.',
+    'A hand makes few trials, evolution hundreds. That is its way: it does not think, but it does not tire.',
   ],
 };
 
@@ -92,9 +92,9 @@ function who({ winner, costs }) {
   const by = (/** @type {number} */ less, /** @type {number} */ more) => fixed(more - less, 3);
   const rivals = Math.min(evolution, random);
   return {
-    you: Number.isFinite(you) ? `You win: ${by(you, rivals)} below the second.` : '',
-    evolution: `Evolution wins: ${by(evolution, Math.min(you, random))} below the second.`,
-    random: `Random search wins: ${by(random, Math.min(you, evolution))} below the second.`,
+    you: Number.isFinite(you) ? `You win: your J is ${by(you, rivals)} below the second.` : '',
+    evolution: `Evolution wins: its J is ${by(evolution, Math.min(you, random))} below the second.`,
+    random: `Random search wins: its J is ${by(random, Math.min(you, evolution))} below the second.`,
     both: 'Evolution and random search win, with the same J.',
   }[winner];
 }

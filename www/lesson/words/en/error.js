@@ -6,7 +6,7 @@ export const error = {
     three: `The robot knows where it is and where it should be, and steers by the difference. It does not measure that difference along the walls of the room, but along the *direction in which it will end up pointing*.
 
 {xe} is how far it still has to go *along* that direction, {ye} how far it is off *to the side*, {te} how far it still has to *turn*. At this moment {xe} is {=xe} m, {ye} is {=ye} m and {te} is {=te}. Move the robot along its way with the slider of time under the picture, or drag the start or the goal, and watch the three. In the formula the index c means the robot’s *current* posture (its place and heading), r the *reference*, the goal.`,
-    signs: `Point at a symbol, or touch it: it lights up in the formula and in the picture. All three are zero when the robot is parked, and only then. (A little is forgiven; step 6 says how much.) So parking means *bringing three numbers to zero by choosing two*: the speed {v} and the turn rate {w}. The robot cannot move sideways, and yet it can get anywhere: that makes it *nonholonomic*, and parking hard. How should it choose?`,
+    signs: `Point at a symbol, or touch it: it lights up in the formula and in the picture. These three *errors* are zero when the robot is parked, and only then. (A little is forgiven; step 6 says how much.) So parking means *bringing three numbers to zero by choosing two*: the speed {v} and the turn rate {w}. The robot cannot move sideways, and yet it can get anywhere: that makes it *nonholonomic*, and parking hard. How should it choose?`,
   },
   quizzes: {
     largest: {
@@ -25,7 +25,7 @@ export const error = {
   },
   notice: [
     'While the robot drives straight, only {xe} and {ye} change; while it turns on the spot, only {te}.',
-    '{xe} is below zero when the robot stands beyond the goal, {ye} when it stands to the left of the goal’s line, whichever way it faces.',
-    'Near the goal some drives zigzag: the control law divides by sin {te}. Why, the next step tells.',
+    '{xe} is below zero when the robot stands beyond the goal, {ye} when the robot, whichever way it faces, is left of the *goal’s line*: the one through the goal in its direction.',
+    'Near the goal some drives zigzag: how they steer has a division by sin {te} in it. Step 3 tells why.',
   ],
 };

@@ -7,7 +7,7 @@ export const generation = {
   newborn: {
     /** @param {number} better @param {number} count */
     title: (better, count) =>
-      `Drives of ${count} offspring (pale: the parent’s). Green: ${better} better ones. Below: J.`,
+      `Drives of ${count} offspring (pale: their parents’). Green: the better, ${better}. Below: J.`,
     /** @param {number} count */
     alone: (count) => `Drives of ${count} offspring. Below: J.`,
     /** @param {number} count */
@@ -18,11 +18,11 @@ export const generation = {
   texts: {
     begin: `You tried one set of gains, the three numbers of a robot, after another. *Evolutionary programming* (EP) keeps {=count} sets at a time: a *population* of *individuals*, here robots. The first are *generation 0*: each gain is drawn at random between {=low} and {=high}, and each robot drives once, at a cost {J} (lower is better): it is *evaluated*. (The number by which robots are compared is their *fitness*; here it is {J}, so the fittest has the lowest. All chance comes from one number, the *seed*: with the same seed everything happens again, with another seed, chance falls differently.) Then EP repeats four moves; each round makes the next *generation*. The numbers in the text are those of the robot chosen in the figure; press any other.`,
     mutate: `*1. [Mutate](generation&generation=1&phase=mutation&individual=26).* Every parent has one *offspring*. Its gains are the parent’s, each moved by a random step: the parent’s *step size* {s} (its *strategy parameter*) times a draw {N} from the standard normal distribution (the bell curve), which is rarely beyond −2 or 2. (The figure shows new step sizes, too; step 8 is about them.)`,
-    drive: `*2. [Drive](generation&generation=1&phase=drive&individual=26).* All offspring drive, above the figure. {=child} comes to J {=childCost}; its parent had {=parentCost}. Of {=count} offspring, {=better} drive better than their parent. As a rule most do not: a random step is more often bad than good.`,
+    drive: `*2. [Drive](generation&generation=1&phase=drive&individual=26).* All offspring drive, above the figure. {=child} comes to J {=childCost}; its parent had {=parentCost}. Better than their parent: {=better} of {=count} offspring. As a rule most are worse: a random step is more often bad than good.`,
     rule: `*3. Tournament.* All {=all} robots, parents and offspring, meet {=bouts} others each, drawn at random *with replacement*: a robot may meet the same opponent twice, but never itself. It wins a bout unless its opponent has the lower J.
 
 *4. Survive.* The {=count} with the most wins stay as parents of the next generation, with their gains, step sizes and J. Tournament and survival together are the *selection*. Before you press: a question.`,
-    select: `*3. [Tournament](generation&generation=1&phase=tournament&individual=26).* {=chosen} wins {=wins} of {=bouts}. In the figure, *expected* is how many a robot of its {J} would win on average; the rest is luck. *Rank*: most wins first. *4. [Survive](generation&generation=1&phase=survivors&individual=26).* {=fate} Press the moves one by one, and look at others.`,
+    select: `*3. [Tournament](generation&generation=1&phase=tournament&individual=26).* {=chosen} wins {=wins} of {=bouts}. In the figure, *expected* is how many a robot of its {J} would win on average; the rest is luck. *Rank*: most wins first. *4. [Survive](generation&generation=1&phase=survivors&individual=26).* {=fate} Press the moves (in the figure: *phases*) one by one, and look at other robots.`,
     next: `These four moves are the paper’s EP. The idea is L.\u00a0J.\u00a0Fogel’s, of the 1960s; this form, for numbers and with a tournament, D.\u00a0B.\u00a0Fogel’s, of about 1990; the rule for step sizes in step 8 is Schwefel’s. Nothing is crossed: an offspring has one parent. That there are 20 robots, that opponents are drawn with replacement, and that the lower J goes first when the wins are equal, is our choice, and so is when to stop: after as many generations as one likes one takes the best robot. And how large should a step be? Every robot begins with {s} = 1; from then on nobody sets it.`,
   },
   /** @param {string} name @param {string} fate */

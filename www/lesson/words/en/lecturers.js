@@ -4,7 +4,7 @@ export const lecturers = {
   texts: {
     begin: `Everything on this page is in its link: what you have set up opens on any machine as you left it, with the same numbers to the last digit. *Share* gives the link, the pictures and the tables. *Settings* holds every number of the experiment. Keys: press *?*.
 
-*Share* also makes an exercise: a link with a task in your words, in which you lock or hide what your students should leave alone. Nothing in it is secret: they can always open the whole page. What they hand in is checked under *Share* as well, a whole class at once. An exercise can also be a package for Moodle (SCORM); and any part of the page, or any step of the lesson, a frame in a page of yours.`,
+*Share* also makes an exercise: a link with a task in your words, in which you lock or hide what your students should leave alone. Nothing in it is secret: they can always open the whole page. What they hand in is checked under *Share* as well, a whole class at once. An exercise can also be a package for Moodle (SCORM). Any part of the page and any step of the lesson can be a frame in a page of yours.`,
     cite: `*How to cite.* The method: J.-H. Kim and H.-S. Shim, “Evolutionary Programming-Based Optimal Robust Locomotion Control of Autonomous Mobile Robots”, Proceedings of the Fourth Annual Conference on Evolutionary Programming, MIT Press, 1995. This program: ep-locomotion, version {=version}; its CITATION.cff holds the entry. What the paper leaves open and we chose stands in [the step on the paper’s numbers](lesson&step=paper).`,
   },
   show: 'set it up',
@@ -137,7 +137,7 @@ export const lecturers = {
       items: {
         negative: {
           text: 'In {Vdot} = −{kx} {xe}² cos² {te} − {ky} {ye}⁴ − {kt} sin² {te}, let {ky} be below zero. Which errors can then grow?',
-          seen: 'The second part becomes positive: {V} grows wherever it outweighs the other two, however small {ye} is, once {xe} and {te} have faded. So the robot may be driven away sideways. Both theorems need all three gains above zero.',
+          seen: 'The second part becomes positive: {V} grows wherever it outweighs the other two, however small {ye} is, once {xe} and {te} have faded. So {ye} can grow, and the robot ends far to the side. Both theorems need all three gains above zero.',
         },
         best: {
           text: 'Why can the best J of the page’s EP never rise from one generation to the next?',

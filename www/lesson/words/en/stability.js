@@ -10,7 +10,7 @@ export const stability = {
     falls: `Now the trick. The law was *built* so that {V} can only fall. To see it, one needs to know how the errors move. A dot over a symbol means: how fast it changes. The robot itself moves by its {v} and its {w}:`,
     errors: `Differentiate (3), put (2) in, and this is left. {vr} and {wr} are the goal’s own speed and turn rate, 0 for a goal at rest:`,
     chain: `How fast does {V} change, if the goal is at rest? By the chain rule:`,
-    left: `What is left is the rate at which {V} changes. For a goal at rest it proves the paper’s Theorem 1, that the errors go to zero; for its proof the paper refers to an earlier paper, so this proof is ours:`,
+    left: `With the law (5) put in, all terms but three cancel. What is left, the rate at which {V} changes, proves for a goal at rest the paper’s Theorem 1, that the errors go to zero; the paper refers to an earlier one for it, so this proof is ours:`,
     parts: `Three parts, one for each gain. Each is a square or a fourth power with a minus sign, so as long as its gain is positive, the part is never positive; and all three are zero together only at the bottom and at one other spot, which the last note below describes. In the figure the three are stacked in their colours; the line is how fast {V} really changes. Here no limit interferes, and the two agree. So the robot rolls down until it is at the bottom of the bowl. Such a {V} is called a *Lyapunov function*.`,
     before: `Before this law there was a simpler one, by Kanayama and others. It follows a moving goal well. But its {w} is {wr} plus {vr} times a correction: the robot turns only while the goal *moves*.`,
     next: `The proof says that {V} never rises. From another start the program shows that at times it does. Both are right: the next step tells why.`,
@@ -64,7 +64,7 @@ export const stability = {
     other: 'Another start: now {V} rises at times, though the proof forbids it',
     negativeTurn: '{kt} below zero: −2',
     track:
-      'A goal that drives away at 0.5 m/s, with the speed limits on: the law, which then has terms with {vr} too, follows it',
+      'A goal that drives away at 0.5 m/s, with the velocity limits on: the law, which then has terms with {vr} too, follows it',
     kanayamaTracks: 'Kanayama’s rule with the same moving goal and limits: it follows, too',
   },
   notice: [

@@ -17,7 +17,7 @@ Put it to the test: the same gains, other starts. {=places} places in a square w
 
 *An optimiser goes by the cost, not by what you meant.*`,
     many: `So ask for more: let {J} be the *mean over many starts*, and evolve again. [Training](training&generation=100) does that three times: on one start, on 32 on a circle, on 36 on a grid. Each result is then tested on 1000 starts that none has seen, in a circle around the goal, not in a square with corners as above. Your prediction sets it going.`,
-    half: `Better, and still far from all of the unseen starts. More starts alone do not solve it, so look at what the cost *asks for*. Who starts beside the goal must turn away, drive, and turn back, and turning is energy. Gains made for one such start alone park there, and for less. But *one* set of gains must serve all 32, and a set with which all of them park turns hard everywhere: at {Rw} = 1 that costs more, in the mean, than a set that leaves some robots beside the goal until the time is up. (You saw such a robot in step 6.) The price of turning was our choice. Here it is: *make it a tenth*, 0.1 in the place of 1.`,
+    half: `Better, and still far from all of the unseen starts. More starts alone do not solve it, so look at what the cost *asks for*. Who starts beside the goal must turn away, drive, and turn back, and turning is energy. Gains made for one such start alone park there: that costs less than to wait. But *one* set of gains must serve all 32, and a set with which all of them park turns hard everywhere: at {Rw} = 1 that costs more, in the mean, than a set that leaves some robots beside the goal until the time is up. (You saw in step 6 that to stay can cost less.) The price of turning was our choice. Here it is: *make it a tenth*, 0.1 in the place of 1.`,
     whole: `Press any start in the pictures, and its drive is drawn. Nothing about the robot, the law, the starts or evolution has changed. *What was asked for has.* This is what you played in step 9. And between 0.1 and 1? Set another price of turning, press *Evolve again*, and find where the robots stop parking.`,
     next: `This holds far beyond robots: look at what a cost does *not* ask for. Ours has never asked for a floor that pushes.`,
   },
@@ -47,7 +47,7 @@ Put it to the test: the same gains, other starts. {=places} places in a square w
       choices: ['It falls', 'It stays as it is', 'It rises'],
       /** @param {{ one: Result, many: Result }} outcome */
       why: ({ one, many }) =>
-        `From ${costText(one.own)} to ${costText(many.own)}. In return the robot arrives from ${many.unseen.count} of the ${many.unseen.starts.length} starts that it never saw, instead of ${one.unseen.count}. And {ky} is ${fixed(many.gains[1], 2)} now, not ${fixed(one.gains[1], 4)}: asked for, it came back. The table has all three.`,
+        `From ${costText(one.own)} to ${costText(many.own)}. In return the robot arrives from ${many.unseen.count} of the ${many.unseen.starts.length} starts that it never saw, instead of ${one.unseen.count}. And {ky} is ${fixed(many.gains[1], 2)} now, not ${fixed(one.gains[1], 4)}: asked for, it came back. The table has all three robots.`,
     },
     turning: {
       question:

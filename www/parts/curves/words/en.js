@@ -47,7 +47,7 @@ export const numberColumns = numberColumnsOf({
 export const noPinsText =
   'Pin a run with “Pin this run”, then evolve on, take another seed or setting, or drive by hand: here you see what differs.';
 /** @param {number} count */
-export const pinsText = (count) => `${count} of 4 pinned; their names can be changed.`;
+export const pinsText = (count) => `${count} of 4 pinned; names can be changed.`;
 /** @param {number} slot */
 export const nameLabel = (slot) => `Name of pinned run ${slot + 1}`;
 /** @param {string} name */

@@ -51,7 +51,7 @@ export function sentence(anatomy, phase) {
   return {
     parents: `The ${generation > 1 ? counted(count, 'survivor', 'survivors') : counted(count, 'robot', 'robots')} of generation ${generation - 1}, ${generation > 1 ? 'best ranked' : 'lowest J'} first. Lower J is better.`,
     mutation: `Each parent has one offspring: its gains move by the old σ times a random draw.${crossed > 0 ? ` ${crossed} of ${count} parents are crossed with another first.` : ''}`,
-    drive: `The offspring drive and get their J: ${better} of ${count} drive better than their parent.`,
+    drive: `The offspring drive and get their J. Better than their parent: ${better} of ${count}.`,
     tournament: `Each of the ${all.length} meets ${counted(record.opponents[0]?.length ?? 0, 'other', 'others')} drawn at random, and wins if its J is not higher.`,
     ranking:
       record.wins.length > 0
@@ -178,7 +178,7 @@ export const meanText = (starts) => `J is the mean over ${starts} starts; the pl
 export const sumText = (wins, bouts) => `${winsText(wins)} of ${bouts}`;
 
 /** @param {number} rest */
-export const moreBouts = (rest) => `and ${rest} more bouts`;
+export const moreBouts = (rest) => `and ${counted(rest, 'more bout', 'more bouts')}`;
 
 /** @param {Anatomy} anatomy @param {number} number */
 export function fateText({ ranks, staying, record, all, method }, number) {

@@ -262,9 +262,11 @@ export const weighedText = (weight) =>
 /** @param {import('../detail-methods.js').Successes} successes */
 export const successText = ({ steps, won }) =>
   steps === 1
-    ? `Of the first step ${won === 1 ? 'one has' : 'none has'} succeeded.`
+    ? `The only step so far has ${won === 1 ? 'succeeded' : 'failed'}.`
     : `Of the last ${steps} steps ${won} succeeded: ${5 * won > steps ? 'more than' : 5 * won === steps ? 'exactly' : 'fewer than'} one in five.`;
 /** @param {Anatomy} anatomy @param {number} count */
-export const stay = ({ method }, count) => (method === 'cma-es' ? `${count} count` : `${count} stay`);
+export const stay = ({ method }, count) =>
+  method === 'cma-es' ? counted(count, 'counts', 'count') : counted(count, 'stays', 'stay');
 /** @param {Anatomy} anatomy @param {number} count */
-export const fall = ({ method }, count) => (method === 'cma-es' ? `${count} do not` : `${count} fall`);
+export const fall = ({ method }, count) =>
+  method === 'cma-es' ? counted(count, 'does not', 'do not') : counted(count, 'falls', 'fall');

@@ -57,7 +57,7 @@ const names = {
   'floor-0.01': 'σ never below 0.01',
   'floor-0.1': 'σ never below 0.1',
   truncation: 'truncation: lowest J survives',
-  parent: 'child against parent',
+  parent: 'offspring against parent',
   crossover: 'crossover 0.5',
   'n-6': 'N = 6',
   'n-100': 'N = 100',
@@ -79,7 +79,7 @@ const shortNames = {
   'floor-0.01': 'σ ≥ 0.01',
   'floor-0.1': 'σ ≥ 0.1',
   truncation: 'truncation',
-  parent: 'child/parent',
+  parent: 'own parent',
   mirror: 'mirrored',
   random: 'random',
   de: 'DE',
@@ -148,7 +148,7 @@ export const contestColumns = [
   { text: 'reached', hint: 'How many runs reached the target; two are compared by Fisher’s exact test' },
   {
     text: 'ERT',
-    hint: `Expected running time: the drives of all runs until the target or the budget, divided by the number of those that reached it; beside it, of ${leastRuns} runs or more, its 95 % confidence interval (bootstrap); behind a factor stands that of the factor`,
+    hint: `Expected running time: the drives of all runs until the target or the budget, divided by the number of those that reached it; beside it, of ${leastRuns} runs or more, its 95 % confidence interval (bootstrap); after a factor, its own`,
   },
   { text: 'median J', hint: 'The median of J at the budget' },
   {
@@ -157,12 +157,11 @@ export const contestColumns = [
   },
   {
     text: 'p',
-    hint: 'Mann–Whitney, two-sided, of the same order; Holm’s correction for the lines. It takes the seeds as not shared: as they are, it is cautious',
+    hint: 'Mann–Whitney, two-sided, by the same order; Holm’s correction for the number of lines. It ignores that the seeds are shared, so it is cautious',
   },
 ];
 /** The columns in a line; their hints have it in full. */
-export const columnsText =
-  'ERT: drives per success. A12: pairs won. p: how likely equals differ at least so much.';
+export const columnsText = 'ERT: drives per success. A12: pairs won. p: how likely by chance alone.';
 /** @param {number} reached @param {number} count */
 export const reachedText = (reached, count) => `${reached} of ${count}`;
 

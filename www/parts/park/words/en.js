@@ -36,7 +36,8 @@ export const how = 'How does it do that?';
 export const openLab = 'Open this evolution in the lab';
 
 /** @param {number} parked @param {number} count */
-export const picture = (parked, count) => `${parked} of ${count} robots have parked.`;
+export const picture = (parked, count) =>
+  `${parked} of ${count} robots ${parked === 1 ? 'has' : 'have'} parked.`;
 
 /** @param {number} parked @param {number} count */
 export const planeLabel = (parked, count) =>

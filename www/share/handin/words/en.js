@@ -1,6 +1,7 @@
 // Every word of handing in.
 /** @import { Wanted } from '../../../run/aim.js' */
 /** @import { Thing } from '../own.js' */
+import { counted } from '../../../words/en/counted.js';
 import { costBeside, costLine, gainsLine, head } from './common.js';
 
 export * from './common.js';
@@ -18,7 +19,7 @@ export const texts = {
   make: 'Make the receipt',
   help: 'Give this to your lecturer as you were told: paste the text, or send the link or the file. Nothing is sent by this page.',
   helpWithin:
-    'If no learning platform around this says that it has your result, give this to your lecturer: paste the text, or send the link or the file.',
+    'If no learning platform here says that it has your result, give this to your lecturer: paste the text, or send the link or the file.',
   proves:
     'Whoever opens it sees the robot drive and J computed again, to the last digit. It proves the result, not whose it is.',
   text: 'The receipt',
@@ -49,7 +50,8 @@ export const wantedText = (wanted) =>
       : `parks from ${Math.round(1000 * wanted.share) / 10} % of 1000 starts that nobody has evolved on`;
 
 /** @param {number | null} drives */
-export const budgetText = (drives) => (drives === null ? '' : `, within ${drives} drives`);
+export const budgetText = (drives) =>
+  drives === null ? '' : `, within ${counted(drives, 'drive', 'drives')}`;
 
 /** @param {Wanted} wanted @param {number} value */
 export const valueText = (wanted, value) =>
@@ -120,7 +122,7 @@ export function receiptText(receipt, address = receipt.link) {
       ? [`In the exercise as it was given (changed here: ${listed(apart)}): ${costLine(there.cost)}`]
       : []),
     `${gainsLine(gains)}${found}`,
-    `${drives} drives in ${minutes} min`,
+    `${counted(drives, 'drive', 'drives')} in ${minutes} min`,
     ...(answers ? [`Answers: ${answers}`] : []),
     address,
   ].join('\n');

@@ -60,7 +60,7 @@ export function missed(robot, count, { seconds, ahead, aside, degrees, gain: nam
     degrees && `turned by ${fixed(Math.abs(degrees), 1)}°`,
   ];
   const asked = asks.map(({ value, unit }) => `${fixed(value, 3)} ${unit}`).join(' and ');
-  return `Robot ${robot} of ${count} missed. After ${fixed(seconds, 0)} s it is ${off.filter(Boolean).join(', ')}; ${name} works against that, there with ${asked}.`;
+  return `Robot ${robot} of ${count} missed. After ${fixed(seconds, 0)} s it is ${off.filter(Boolean).join(', ')}; against that, ${name} asks for ${asked} there.`;
 }
 export const watchThis = 'Watch this one in the lab';
 export const previous = 'The robot before';
