@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING, Any
 from . import types
 from ._core import InternalError, ask as _ask
 from ._evolution import Evolution
-from ._task import Task, evaluate, experiment, simulate
+from ._task import Task, evaluate, experiment, simulate, with_ends
 
 if TYPE_CHECKING:
     from ._widget import EpLocomotion as EpLocomotion
@@ -68,7 +68,7 @@ def starts_on_circle(circle: types.Circle) -> list[types.Posture]:
 
 def starts_on_grid(grid: types.Grid) -> list[types.Posture]:
     """Start postures at every position of a grid: ``{"x": {"from", "to", "count"}, "y": …, "headings"}``."""
-    return _ask("starts_on_grid", grid)
+    return _ask("starts_on_grid", with_ends(grid))
 
 
 def __getattr__(name: str) -> Any:

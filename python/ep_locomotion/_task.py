@@ -88,11 +88,11 @@ class Task:
 
     def landscape(self, landscape: Landscape) -> list[float]:
         """J over two gains, row by row: ``{"x": {"gain": "kx", "from": …, "to": …, "count": …}, "y": …, "gains": …}``."""
-        return self._call("landscape", _encoded_part(landscape))
+        return self._call("landscape", encoded(with_ends(landscape)))
 
     def robustness(self, grid: StartGrid) -> Robustness:
         """How a robot fares from many starts: ``{"gains": …, "x": {"from": …, "to": …, "count": …}, "y": …, "headings": …}``."""
-        return self._call("robustness", _encoded_part(grid))
+        return self._call("robustness", encoded(with_ends(grid)))
 
     def fares(self, gains: Triple) -> Robustness:
         """How one robot fares from each of the experiment's starts: J, t_f and whether it arrives."""
@@ -104,14 +104,14 @@ class Task:
 
     def trials(self, trials: Trials) -> list[Trial]:
         """The experiment's method with the seeds [first, end): ``{"seeds": [first, end], "drives": …}``: when the best J fell, and to what."""
-        return self._call("trials", _encoded_part(trials))
+        return self._call("trials", encoded(with_ends(trials)))
 
 
-def _encoded_part(given):
+def with_ends(given):
     """A ``range`` says from where to before where, as the two numbers do for which it stands."""
-    if isinstance(given, Mapping):
-        given = {name: _ends(name, value) if name in _PARTS else value for name, value in given.items()}
-    return encoded(given)
+    if not isinstance(given, Mapping):
+        return given
+    return {name: _ends(name, value) if name in _PARTS else value for name, value in given.items()}
 
 
 _PARTS = ("seeds", "rows", "part")

@@ -89,11 +89,12 @@ test('tables of fields, the paper’s results and trials are those of the core',
 });
 
 test('a range stands for its two ends, and what is made says what it is', options, () => {
-  const [named, listed, rows, evolution, task] = valuesFrom(
+  const [named, listed, rows, part, evolution, task] = valuesFrom(
     [
       "ep.Task({}).trials({'seeds': range(1, 3), 'drives': 40})",
       "ep.Task({}).trials({'seeds': [1, 3], 'drives': 40})",
       "(lambda axis: ep.Task({}).landscape({'x': {'gain': 'kx', **axis}, 'y': {'gain': 'ky', **axis}, 'gains': [3, 1, 4], 'rows': range(1, 3)}))({'from': 1, 'to': 2, 'count': 3})",
+      "ep.starts_on_grid({**dict.fromkeys('xy', {'from': 0, 'to': 1, 'count': 2}), 'headings': 1, 'part': range(0, 2)})",
       "repr(ep.Evolution({'evolution': {'seed': 7}}))",
       "repr(ep.Task('acceleration-limits'))",
     ].map((expression) => ({ expression })),
@@ -101,6 +102,7 @@ test('a range stands for its two ends, and what is made says what it is', option
   assert.equal(named.length, 2);
   assert.deepEqual(named, listed);
   assert.equal(rows.length, 6);
+  assert.equal(part.length, 2);
   const best = new core.Evolution({ evolution: { seed: 7 } }).statistics().best.cost;
   assert.equal(evolution, `<Evolution: ep, seed 7, generation 0, J ${Number(best.toPrecision(6))}>`);
   assert.equal(task, '<Task of 1 start, shim-kim>');
