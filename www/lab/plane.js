@@ -92,7 +92,7 @@ function drawPaths(context, view, scene, pins) {
   ]);
 }
 
-/** Where pinned runs had another goal. @param {CanvasRenderingContext2D} context @param {View} view @param {Pins} pins @param {Posture} goal */
+/** Where pinned drives had another goal. @param {CanvasRenderingContext2D} context @param {View} view @param {Pins} pins @param {Posture} goal */
 function drawPinnedGoals(context, view, pins, goal) {
   for (const { slot, experiment } of pins) {
     const { x, y, theta } = experiment.goal;

@@ -128,7 +128,7 @@ export const lessonKey = (steps) => ({
   read: (opened, text) => ({ ...opened, lesson: steps.named(text).number }),
 });
 
-/** A pinned run: its name, gains, and what its experiment has different. @param {Pin} pin @param {Experiment} usual */
+/** A pinned drive: its name, gains, and what its experiment has different. @param {Pin} pin @param {Experiment} usual */
 function pinText({ name, gains, experiment }, usual) {
   const changes = changesText(experiment, usual);
   return [name.replaceAll('~', '-'), gains.map(numberText).join(','), ...changes].join('~');

@@ -42,7 +42,7 @@ function contrast(a, b) {
   return (high + 0.05) / (low + 0.05);
 }
 
-test('pinned runs are read on every ground, and the first looks like no other colour', () => {
+test('pinned drives are read on every ground, and the first looks like no other colour', () => {
   for (const css of [lit, dark.split('@media')[0]]) {
     const colours = coloursOf(css);
     const of = (/** @type {string} */ name) => /** @type {number[]} */ (colours.get(name));

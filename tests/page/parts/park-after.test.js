@@ -201,7 +201,7 @@ pageTest(
     assert.ok((await told()).startsWith(`Robot ${lone + 1} of 32 missed. After 10 s it is`), await told());
     assert.match(
       await told(),
-      /\d\.\d\d m to the side.*; ky works against that, there with −?\d\.\d{3} m\/s and −?\d\.\d{3} rad\/s\.$/,
+      /\d\.\d\d m to the side.*; against that, ky asks for −?\d\.\d{3} m\/s and −?\d\.\d{3} rad\/s there\.$/,
     );
     assert.ok((await page.text('.park-side [role="status"]')).startsWith(`${await told()} Start: `));
     assert.deepEqual(await page.obstacles('#park'), []);

@@ -13,9 +13,9 @@ pageTest(
     await openCurves(page);
     await page.click('#pin');
     assert.match(await textOf(page, '#pin-note'), /pinned as “paper’s EP”/);
-    assert.equal(await textOf(page, '#pin'), 'Unpin this run');
+    assert.equal(await textOf(page, '#pin'), 'Unpin this drive');
     await page.click('#pin');
-    assert.equal(await textOf(page, '#pin'), 'Pin this run');
+    assert.equal(await textOf(page, '#pin'), 'Pin this drive');
     await page.click('#page-lab');
     await page.click('#drives-paper-ep');
     for (const gain of ['3', '4', '5', '6', '7']) {
@@ -23,7 +23,7 @@ pageTest(
       await page.press(gain, Key.ENTER);
       await page.click('#pin');
     }
-    assert.match(await textOf(page, '#pin-note'), /Four runs are pinned: unpin one first/);
+    assert.match(await textOf(page, '#pin-note'), /Four drives are pinned: unpin one first/);
     await page.click('#page-curves');
     const full = await comparison(page);
     assert.deepEqual(full.names, [
@@ -53,7 +53,7 @@ pageTest(
   { moves: true },
 );
 
-pageTest('a pinned run can be renamed, but not to nothing', async (page) => {
+pageTest('a pinned drive can be renamed, but not to nothing', async (page) => {
   await openCurves(page);
   await page.click('#pin');
   await show(page, 'compare');
@@ -142,7 +142,7 @@ pageTest('the comparison names the settings that differ, and only those', async 
   assert.ok(!('Goal y' in moved.rows));
 });
 
-pageTest('a pinned run is drawn in every picture, also from where it had another goal', async (page) => {
+pageTest('a pinned drive is drawn in every picture, also from where it had another goal', async (page) => {
   await openCurves(page);
   const canvases = ['#plane-paths', '#plane-robots', '#curves-lines'];
   for (const canvas of canvases) assert.equal(await pixelsOf(page, canvas, '--pin-1'), 0, canvas);
@@ -166,7 +166,7 @@ pageTest('a pinned run is drawn in every picture, also from where it had another
   const samples = Array.from({ length: 60 }, (_, i) => 3 * i);
   const points = samples.map((i) => ({ x: layout.time(ep.time[i]), y: scale(ep.y[i]), token: '--pin-1' }));
   const found = await coloured(page, '#curves-lines', points);
-  assert.ok(found > 24, `${found} of ${points.length} points of the pinned run`);
+  assert.ok(found > 24, `${found} of ${points.length} points of the pinned drive`);
 
   await page.click('#page-landscape');
   const picture = () =>

@@ -51,7 +51,7 @@ pageTest(
     };
     for (const name of names.slice(0, 4)) assert.equal(await pin(name), true, name);
     assert.equal(await pin('Eve'), false);
-    assert.match(await page.text('#collect-note'), /^Not pinned: Eve\. 4 runs are pinned/);
+    assert.match(await page.text('#collect-note'), /^Not pinned: Eve\. 4 drives are pinned/);
     assert.equal(await pin('Bob'), false);
     assert.equal(await pin('Eve'), true);
     assert.match(await page.text('#collect-status'), /^5 hand-ins/);

@@ -66,7 +66,7 @@ pageTest('where many seeds could be tried within a budget of drives, it is told'
   await openMaker(page, '#lab&v=1&aim=J%3C7');
   assert.equal(await isTold(), '');
   await openMaker(page, '#lab&v=1&aim=J%3C7;drives%3C%3D300');
-  assert.match(await isTold(), /as long as the seed or the settings are free/);
+  assert.match(await isTold(), /while the seed or the settings are free/);
   await page.click('#maker-seed-locked');
   assert.match(await isTold(), /the settings/);
   await page.click('#maker-settings-locked');

@@ -1,4 +1,4 @@
-// The pinned runs: their names, and a table of what differs between them and the run on screen.
+// The pinned drives: their names, and a table of what differs between them and the run on screen.
 /** @import { Experiment, Field, Run, Triple } from '../../core/engine.js' */
 /** @import { Pin } from '../../run/pins.js' */
 /** @import { Tools } from '../part.js' */

@@ -1,4 +1,4 @@
-// Of pinned runs, what is the same in every language.
+// Of pinned drives, what is the same in every language.
 
 /** @param {string} name @param {number} count */
 export const again = (name, count) => `${name} (${count})`;

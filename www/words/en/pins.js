@@ -1,4 +1,4 @@
-// Every word of the pinned runs.
+// Every word of the pinned drives.
 /** @import { Run, Triple } from '../../core/engine.js' */
 /** @import { Driver } from '../common/kinds.js' */
 import { comparisonText, foundName } from './lab.js';
@@ -6,11 +6,11 @@ import { fixed } from './numbers.js';
 
 export * from '../common/pins.js';
 
-export const pinThis = 'Pin this run';
-export const unpinThis = 'Unpin this run';
+export const pinThis = 'Pin this drive';
+export const unpinThis = 'Unpin this drive';
 /** @param {string} name */
 export const pinnedAs = (name) => `pinned as “${name}”`;
-export const noRoom = 'Four runs are pinned: unpin one first.';
+export const noRoom = 'Four drives are pinned: unpin one first.';
 
 /** Beside its J. @type {Record<import('../common/kinds.js').Difference, string>} */
 const others = {

@@ -1,4 +1,4 @@
-// Every word of the pinned runs, in Korean.
+// Every word of the pinned drives, in Korean.
 /** @import { Run, Triple } from '../../core/engine.js' */
 /** @import { Driver } from '../common/kinds.js' */
 import { comparisonText, foundName } from './lab.js';

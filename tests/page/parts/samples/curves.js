@@ -19,7 +19,12 @@ export const sample = {
     {
       pictures: [
         plane,
-        { name: 'The run against time', key: 'curves', texts: ['θ', 'rad/s', 'energy', '0.2 s'], lines: 15 },
+        {
+          name: 'The drive against time',
+          key: 'curves',
+          texts: ['θ', 'rad/s', 'energy', '0.2 s'],
+          lines: 15,
+        },
       ],
     },
     {

@@ -7,10 +7,10 @@ import { costText, fixed, threeDigits } from '../../../words/en/numbers.js';
 export * from './common.js';
 
 export const texts = {
-  curvesPicture: 'The run against time',
+  curvesPicture: 'The drive against time',
   curvesTitle: 'Curves',
-  comparisonTable: 'Table of the pinned runs',
-  numbersTable: 'Table of the run in numbers',
+  comparisonTable: 'Table of the pinned drives',
+  numbersTable: 'Table of the drive in numbers',
 };
 
 export const viewLegend = 'What is shown';
@@ -45,14 +45,14 @@ export const numberColumns = numberColumnsOf({
 });
 
 export const noPinsText =
-  'Pin a run with “Pin this run”, then evolve on, take another seed or setting, or drive by hand: here you see what differs.';
+  'Pin a drive with “Pin this drive”, then evolve on, take another seed or setting, or drive by hand: here you see what differs.';
 /** @param {number} count */
 export const pinsText = (count) => `${count} of 4 pinned; names can be changed.`;
 /** @param {number} slot */
-export const nameLabel = (slot) => `Name of pinned run ${slot + 1}`;
+export const nameLabel = (slot) => `Name of pinned drive ${slot + 1}`;
 /** @param {string} name */
 export const unpin = (name) => `Unpin ${name}`;
-export const nameNeeded = 'A pinned run needs a name of at least one letter; it keeps its old one.';
+export const nameNeeded = 'A pinned drive needs a name of at least one letter; it keeps its old one.';
 
 export const unpinShort = 'Unpin';
 

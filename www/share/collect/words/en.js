@@ -147,7 +147,7 @@ export const pinned = (name) => `Pinned: ${name}, on the plane and in Curves.`;
 export const unpinned = (name) => `No longer pinned: ${name}.`;
 /** @param {string} name @param {number} most */
 export const notPinned = (name, most) =>
-  `Not pinned: ${name}. ${most} runs are pinned, and no more can be: take one away first, here or on the page.`;
+  `Not pinned: ${name}. ${most} drives are pinned, and no more can be: take one away first, here or on the page.`;
 /** @param {number} first @param {number} last @param {number} count */
 export const rowsText = (first, last, count) => `${first} to ${last} of ${count}`;
 export const csvHead = {
