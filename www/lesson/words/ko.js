@@ -39,7 +39,7 @@ const markNames = { fives: '5, 5, 5', arbitrary: '논문의 임의 이득', ep: 
 export const beaten = (marks) =>
   marks.length === 0
     ? ''
-    : `내 최저 J가 더 낮은 상대: ${marks.map(({ name, cost }) => `${markNames[name]}(${costText(cost)})`).join(', ')}.`;
+    : `나의 최소 J는 다음보다 낮습니다: ${marks.map(({ name, cost }) => `${markNames[name]}(${costText(cost)})`).join(', ')}.`;
 
 /** @param {readonly number[]} gains */
 const gainsText = (gains) => gains.map((gain) => fixed(gain, gain < 10 ? 2 : 0)).join(', ');

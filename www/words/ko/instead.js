@@ -26,4 +26,4 @@ export const caption = (robots, generation, first, best) =>
 
 export const article = '글로 읽는 수업';
 export const articleNote =
-  '슬라이더와 질문, 해 볼 것을 뺀 수업의 글이며, 글은 때로 그것들을 가리킵니다. 글 속의 수는 이 페이지를 만들 때 같은 프로그램이 계산한 값입니다.';
+  '슬라이더와 질문, 해 볼 것을 뺀 수업의 글이어서, 여기 없는 것을 가리킬 때가 있습니다. 글 속의 수는 이 페이지를 만들 때 같은 프로그램이 계산한 값입니다.';

@@ -105,6 +105,6 @@ There are remedies: [mirror what falls below 0](landscape&x=kx&y=ky&evolution.me
     'With Cauchy steps 41 runs reach the target instead of 34. 51 runs cannot tell that from chance, which does not prove that it is chance. Letting offspring meet only their own parent is fatal.',
     'With a floor, far fewer runs miss the target in the end, but none gets much below it either: by then the steps are too long.',
     'Whether six robots come to 7.8 sooner than twenty, 51 runs cannot tell. A hundred need twice as many drives.',
-    'A hand that moves one slider after the other beats evolution in two pairs of three, for the best {ky} lies at 0, where such sliders end. But it gets stuck more often: 37 runs get there, not 49. Without that end it is lost.',
+    'A hand that moves one slider after the other beats evolution in two pairs of three, for the best {ky} lies at 0, where such sliders end. But it gets stuck more often: 37 runs get to 7.8, not 49. Without that end it is lost.',
   ],
 };

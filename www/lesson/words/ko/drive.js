@@ -5,7 +5,7 @@ import { changeText, costText, fixed } from '../../../words/ko/numbers.js';
 
 export const drive = {
   texts: {
-    begin: `이 로봇은 바퀴 두 개로 달립니다. 오른쪽 위의 화살표에 주차해야 합니다. 바로 그 자리에, 화살표와 같은 방향을 보고 서야 합니다. 이렇게 달리고 제자리에서 돌 수는 있지만 옆으로는 움직일 수 없는 로봇의 모형을 *유니사이클(unicycle)*이라고 합니다. 숫자 세 개, 곧 *이득*이 주행을 결정합니다.
+    begin: `이 로봇은 바퀴 두 개로 달립니다. 오른쪽 위의 화살표에 주차해야 합니다. 바로 그 자리에, 화살표와 같은 방향을 보고 서야 합니다. 달리고 제자리에서 돌 수는 있지만 옆으로는 움직일 수 없는 로봇의 모형을 *유니사이클(unicycle)*이라고 합니다. 숫자 세 개, 곧 *이득*이 주행을 결정합니다.
 
 그림 아래의 슬라이더 세 개를 움직여 보십시오. 숫자를 바꿀 때마다 로봇이 다시 달립니다. 큰 숫자 *J*는 이 주행의 비용입니다. 걸린 *시간*, 가는 동안(*경로*)과 마지막에(*최종*) 목표에서 얼마나 떨어져 있었는지, 얼마나 빨리 달리고 돌았는지(*에너지*)를 모두 더한 값입니다. *낮을수록 좋습니다.*
 
@@ -25,7 +25,7 @@ export const drive = {
       choices: ['더 빨리 도착하고 J도 낮아진다', '더 빨리 도착하지만 J는 높아진다', '더 늦게 도착한다'],
       /** @param {{ gentle: Run, bold: Run }} outcome */
       why: ({ gentle, bold }) =>
-        `5로는 ${arrival(gentle)}, J는 ${costText(gentle.cost.total)}입니다. 10으로는 ${arrival(bold)}, J는 ${costText(bold.cost.total)}입니다. 5에서 10으로 바꾸면 J의 몫은 시간 ${changeText(bold.cost.time - gentle.cost.time)}, 경로 ${changeText(bold.cost.path - gentle.cost.path)}, 에너지 ${changeText(bold.cost.energy - gentle.cost.energy)}만큼 달라집니다. 두 주행이 모두 그려져 있습니다. 5로 달린 주행은 비교할 수 있게 *고정*해 두었으며, 색이 있는 파선이 그것입니다.`,
+        `5로는 ${arrival(gentle)}, J는 ${costText(gentle.cost.total)}입니다. 10으로는 ${arrival(bold)}, J는 ${costText(bold.cost.total)}입니다. 5에서 10으로 바꾸면 J는 시간에서 ${changeText(bold.cost.time - gentle.cost.time)}, 경로에서 ${changeText(bold.cost.path - gentle.cost.path)}, 에너지에서 ${changeText(bold.cost.energy - gentle.cost.energy)}만큼 달라집니다. 두 주행이 모두 그려져 있습니다. 5로 달린 주행은 비교할 수 있게 *고정*해 두었으며, 색이 있는 파선이 그것입니다.`,
     },
   },
   tries: {

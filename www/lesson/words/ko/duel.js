@@ -8,7 +8,7 @@ const trialsText = (count) => `시도 ${grouped(count)}번`;
 
 export const duel = {
   texts: {
-    begin: `출발점 하나에서 주차하기는 쉬웠습니다. 이제는 같은 이득 세 개로 *출발점 32개*에서 주차해야 합니다. 출발점은 주차 자리를 둘러싸고 있고 방향도 제각각입니다. {J}는 주행 32번의 평균이며, 회전의 비용에 곱하는 {Rw}는 {=turning}입니다({=before}).
+    begin: `출발점 하나에서 주차하기는 쉬웠습니다. 이제는 같은 이득 세 개로 *출발점 32개*에서 주차해야 합니다. 출발점은 목표를 둘러싸고 있고 방향도 제각각입니다. {J}는 주행 32번의 평균이며, 회전의 비용에 곱하는 {Rw}는 {=turning}입니다({=before}).
 
 먼저 손으로 찾아보십시오. 그림 아래의 슬라이더를 움직이거나 숫자를 입력합니다. 슬라이더를 놓을 때마다 로봇 32대가 달립니다. 얼마나 멀리 끌었든 이것이 *시도 한 번*입니다. 만족스러우면 *최고 기록을 확정*하십시오.
 
@@ -59,7 +59,7 @@ export const duel = {
     score: (rounds, { you, evolution, random, both }) =>
       rounds === 1
         ? '시드 하나는 주사위를 한 번 던진 것입니다.'
-        : `시드 ${rounds}개 중 나 ${you}승, 진화 ${evolution}승, 무작위 탐색 ${random}승${both > 0 ? `, 둘이 함께 ${both}승` : ''}.`,
+        : `시드 ${rounds}개 중 나 ${you}승, 진화 ${evolution}승, 무작위 탐색 ${random}승${both > 0 ? `, 진화와 무작위 탐색 공동 ${both}승` : ''}.`,
   },
   quizzes: {
     ahead: {
@@ -82,7 +82,7 @@ export const duel = {
   notice: [
     '사람은 로봇을 보고 생각합니다. 진화는 로봇을 모릅니다. 진화가 보는 것은 J뿐입니다.',
     '진화는 초기 이득을 뽑는 범위를 벗어날 수 있습니다. 이 무작위 탐색은 그럴 수 없습니다.',
-    '사람은 몇 번, 진화는 수백 번 시도했습니다. 진화는 생각하지 않는 대신 지치지 않습니다.',
+    '사람은 몇 번, 진화는 수백 번 시도합니다. 진화는 생각하지 않는 대신 지치지 않습니다.',
   ],
 };
 
@@ -92,9 +92,9 @@ function who({ winner, costs }) {
   const by = (/** @type {number} */ less, /** @type {number} */ more) => fixed(more - less, 3);
   const rivals = Math.min(evolution, random);
   return {
-    you: Number.isFinite(you) ? `내가 이겼습니다. 2위보다 ${by(you, rivals)} 낮습니다.` : '',
-    evolution: `진화가 이겼습니다. 2위보다 ${by(evolution, Math.min(you, random))} 낮습니다.`,
-    random: `무작위 탐색이 이겼습니다. 2위보다 ${by(random, Math.min(you, evolution))} 낮습니다.`,
+    you: Number.isFinite(you) ? `내가 이겼습니다. J가 2위보다 ${by(you, rivals)} 낮습니다.` : '',
+    evolution: `진화가 이겼습니다. J가 2위보다 ${by(evolution, Math.min(you, random))} 낮습니다.`,
+    random: `무작위 탐색이 이겼습니다. J가 2위보다 ${by(random, Math.min(you, evolution))} 낮습니다.`,
     both: '진화와 무작위 탐색이 같은 J로 이겼습니다.',
   }[winner];
 }

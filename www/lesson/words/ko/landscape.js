@@ -37,7 +37,7 @@ export const landscape = {
       ],
       /** @param {{ lowest: Lowest, middle: Run, wall: Run }} outcome */
       why: ({ lowest, middle, wall }) =>
-        `지도에서 가장 낮은 점은 {ky} ${fixed(lowest.gains[1], 2)}에 있고 {J}는 ${costText(lowest.cost)}입니다. 그 바로 위 {ky} ${threeDigits(lowest.most / 2)}에서는 {J}가 ${costText(middle.cost.total)}입니다. 그래서 최우수 로봇은 아래 끝까지 내려갑니다. 그 너머에는 벽이 있습니다. {ky} −0.01에서 {J}는 ${costText(wall.cost.total)}이고, 그 가운데 ${costText(wall.cost.penalty)}은 음수 이득의 벌점이며, 로봇은 ${wall.arrived ? '도착합니다' : '도착하지 못합니다'}.`,
+        `지도에서 가장 낮은 점은 {ky} ${fixed(lowest.gains[1], 2)}에 있고 {J}는 ${costText(lowest.cost)}입니다. 거기서 {ky}만 ${threeDigits(lowest.most / 2)}까지 올리면 {J}가 ${costText(middle.cost.total)}입니다. 그래서 최우수 로봇은 아래 끝까지 내려갑니다. 그 너머에는 벽이 있습니다. {ky} −0.01에서 {J}는 ${costText(wall.cost.total)}이고, 그 가운데 ${costText(wall.cost.penalty)}은 음수 이득의 벌점이며, 로봇은 ${wall.arrived ? '도착합니다' : '도착하지 못합니다'}.`,
     },
   },
   tries: {

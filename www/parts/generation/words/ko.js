@@ -50,13 +50,13 @@ export function sentence(anatomy, phase) {
   return {
     parents: `${generation > 1 ? `${generation - 1}세대에서 살아남은 로봇 ${count}대를 순위가 높은 것부터` : `0세대의 로봇 ${count}대를 J가 낮은 것부터`} 보여 줍니다. J는 낮을수록 좋습니다.`,
     mutation: `부모마다 자손을 하나씩 만듭니다. 이득은 이전 σ에 난수를 곱한 만큼 움직입니다.${crossed > 0 ? ` 부모 로봇 ${count}대 중 ${crossed}대는 그에 앞서 다른 부모와 교차합니다.` : ''}`,
-    drive: `자손이 주행하여 J를 얻습니다. 자손 로봇 ${count}대 중 ${better}대가 부모보다 잘 주행합니다.`,
+    drive: `자손이 주행하여 J를 얻습니다. 자손 로봇 ${count}대 중 부모보다 잘 주행하는 것은 ${better}대입니다.`,
     tournament: `로봇 ${all.length}대가 각각 무작위로 뽑은 로봇 ${record.opponents[0]?.length}대와 겨룹니다. J가 상대보다 높지 않으면 이깁니다.`,
     ranking:
       record.wins.length > 0
         ? `승수가 많은 순서로, 승수가 같으면 J가 낮은 순서로 늘어섭니다. 선은 ${count}위 아래에 긋습니다.`
         : `살아남는 로봇, 탈락하는 로봇의 순서로, 각 무리 안에서는 J가 낮은 순서로 늘어섭니다. 선은 ${count}위 아래에 긋습니다.`,
-    survivors: `부모 로봇 ${stayed}대와 자손 로봇 ${count - stayed}대가 σ와 함께 남습니다. 이들이 ${generation + 1}세대의 부모입니다.`,
+    survivors: `σ와 함께 남는 것은 부모 로봇 ${stayed}대, 자손 로봇 ${count - stayed}대입니다. 이들이 ${generation + 1}세대의 부모입니다.`,
   }[phase];
 }
 

@@ -85,7 +85,7 @@ const sentences = {
     parents: ({ count, record }) =>
       `${record.generation - 1}세대에서 뽑은 로봇 ${count}대입니다. 이들에게서 이어받는 것은 없습니다.`,
     mutation: ({ record }) =>
-      `점선 상자 안 어디서나 로봇 ${record.offspring.length}대를 새로 뽑습니다. 앞의 결과에서 배운 것은 없습니다.`,
+      `파선 상자 안 어디서나 로봇 ${record.offspring.length}대를 새로 뽑습니다. 앞의 결과에서 배운 것은 없습니다.`,
     drive: () => '모두 주행하여 J를 얻습니다.',
     survivors: () => '다음 세대도 같은 상자에서 뽑습니다. 지금까지 가장 좋은 로봇만 기억합니다.',
   },
@@ -97,7 +97,7 @@ const sentences = {
       `시험 벡터가 주행합니다. ${parents.length}개 중 ${offspring.filter(({ cost }, i) => cost <= parents[i].cost).length}개의 J가 원래 개체보다 높지 않습니다.`,
     survivors: ({ record: { survivors, parents } }) => {
       const taken = survivors.filter((number) => number >= parents.length).length;
-      return `시험 벡터 ${taken}개가 원래 개체의 자리를 차지하고, 개체 ${parents.length - taken}개는 그대로 남습니다.`;
+      return `원래 개체의 자리를 차지한 시험 벡터는 ${taken}개, 그대로 남은 개체는 ${parents.length - taken}개입니다.`;
     },
   },
   'cma-es': {
@@ -209,7 +209,7 @@ export function sentenceOfMethod(anatomy, phase, write) {
 
 /** @type {Readonly<Record<Exclude<Method, 'ep'>, string>>} */
 const beginnings = {
-  random: '점선 상자 안 어디서나 뽑음',
+  random: '파선 상자 안 어디서나 뽑음',
   de: '초기 범위에서 균등하게 뽑음',
   'cma-es': '초기 범위에서 뽑은 한 점의 둘레에서 뽑음',
   'one-plus-one-es': '초기 범위에서 뽑음',

@@ -133,7 +133,8 @@ export const untilText = (drives) => `주행 ${grouped(drives)}회까지 읽음,
 /** @param {number} count @param {number} seeds */
 export const seedsText = (count, seeds) => `시드 ${seeds}개 가운데 ${count}개`;
 /** @param {number} told @param {number} count */
-export const toldText = (told, count) => `시드 ${count}개를 100번 뽑으면 ${told}번은 차이를 알 수 있습니다.`;
+export const toldText = (told, count) =>
+  `시드 ${count}개를 100번 뽑을 때 차이를 알 수 있는 것은 ${told}번입니다.`;
 /** @param {number} target */
 export const targetLine = (target) => `목푯값 ${targetText(target)}`;
 

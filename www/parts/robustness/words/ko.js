@@ -63,7 +63,7 @@ export const allShort = '전체';
 /** What the ring shows, and the lines where one points. @param {number} headings @param {boolean} withLines */
 export const ring = (headings, withLines) =>
   withLines
-    ? `고리와 선: 한 곳의 방향각 ${headings}개. 빈칸과 점선은 도착하지 못함.`
+    ? `고리와 선: 한 곳의 방향각 ${headings}개. 빈칸과 파선은 도착하지 못함.`
     : `고리: 한 곳의 방향각 ${headings}개. 빈칸은 도착하지 못함.`;
 /** The same where the disturbance is random: the map drives each start with a draw of its own. @param {number} headings @param {boolean} withLines */
 export const ownDraws = (headings, withLines) =>

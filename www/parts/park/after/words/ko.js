@@ -11,7 +11,7 @@ export function ending({ best, count }, { parked, generation }, isDone, isFurthe
   if (best && parked <= best.parked && isFurther)
     return `진화는 로봇 ${count}대 가운데 ${parked}대를 주차시켰고, 슬라이더가 그만큼 길어진 지금은 직접 ${best.parked}대를 주차시킵니다.`;
   if (best && parked <= best.parked)
-    return `진화는 로봇 ${count}대 가운데 ${parked}대에서 끝났고, 직접 찾은 세 숫자로는 ${best.parked}대였습니다. 운이 작용하니 다른 시드로 다시 해 보십시오.`;
+    return `진화는 로봇 ${count}대 가운데 ${parked}대를 주차시켰고, 직접 찾은 세 숫자로는 ${best.parked}대였습니다. 운이 작용하니 다른 시드로 다시 해 보십시오.`;
   return parked === count
     ? `${generation}세대 만에 출발점 ${count}개 모두에서 주차하는 로봇이 나왔습니다. 방법을 알려 준 사람은 없습니다. 진화가 로봇마다 아는 것은 평균 비용 J뿐이었습니다.`
     : `${generation}세대 뒤에 진화는 로봇 ${count}대 가운데 ${parked}대를 주차시킵니다.`;
@@ -30,7 +30,7 @@ export const climbAxis = (count) => `주차 ${count}대`;
 export const yoursParked = (parked) => `직접 ${parked}`;
 
 /** @param {number} parked */
-export const youParked = (parked) => `직접 찾은 숫자로는 ${parked}대를 주차했습니다.`;
+export const youParked = (parked) => `직접 찾은 숫자로 주차한 로봇은 ${parked}대입니다.`;
 
 export const parkedColumn = '주차';
 export const bestByHand = '직접';
