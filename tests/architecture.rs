@@ -44,6 +44,9 @@ fn each_room_knows_only_those_before_it_and_so_does_each_file_of_a_room() {
         let files = declared(&src.join(room).join("mod.rs"));
         for path in sources(&src.join(room)) {
             let text = fs::read_to_string(&path).expect("a source");
+            for hidden in ["crate::{", "super::{", "super::super"] {
+                assert!(!text.contains(hidden), "{}: {hidden} hides a name", path.display());
+            }
             if let Some(name) = upward(&text, "crate::", &rooms, own) {
                 panic!("{} names {name}, which comes after {room}", path.display());
             }

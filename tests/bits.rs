@@ -3,6 +3,7 @@
 mod common;
 
 use common::{evolved, records, velocity_limits};
+use ep_locomotion::robot::{Disturbance, DisturbanceKind, Law, Velocity};
 use ep_locomotion::search::Mutation;
 use rand::SeedableRng;
 use rand::rngs::Xoshiro256PlusPlus;
@@ -48,6 +49,17 @@ fn the_hash_of_a_history_is_that_of_its_gains_sigmas_costs_opponents_wins_and_su
         words.extend(counts.map(|number| u64::from(*number)));
     }
     assert_eq!(evolution.hash(), hash(words.into_iter()));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn kanayamas_rule_behind_a_moving_reference_on_slippery_ground_has_the_same_bits_everywhere() {
+    let mut experiment = velocity_limits();
+    experiment.law = Law::Kanayama;
+    experiment.reference_velocity = Velocity { linear: 0.5, angular: 0.1 };
+    experiment.disturbance =
+        Disturbance { kind: DisturbanceKind::Slip, linear: 0.1, angular: 0.2, seed: 0 };
+    experiment.tolerance.speed = Some(0.1);
+    assert_eq!(evolved(experiment, 20).hash(), "e07e5472ab1434a2");
 }
 
 /// With it rand_distr takes the logarithm of the machine instead of libm's, and nothing says so.

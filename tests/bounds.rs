@@ -41,15 +41,17 @@ fn a_map_of_more_starts_than_fit_in_the_memory_is_refused() {
 #[wasm_bindgen_test(unsupported = test)]
 fn whole_runs_are_counted_by_their_columns() {
     let setting = lasting(10.0, |_| ());
-    // 13 numbers of 8 bytes at 1001 samples.
-    let most = (MAX_BYTES / (13.0 * 8.0 * 1001.0)) as usize;
-    assert_eq!(most, 2578);
+    // 13 numbers of 8 bytes at 1001 samples, and what holds them.
+    let most = (MAX_BYTES / (2048.0 + 13.0 * 8.0 * 1001.0)) as usize;
+    assert_eq!(most, 2528);
     assert_eq!(setting.check_runs(most), Ok(()));
     assert_refused(
         setting.check_runs(most + 1),
-        "the number of gain triples must be at most 2578, for each takes 104104 bytes, but was 2579",
+        "the number of gain triples must be at most 2528, for each takes 106152 bytes, but was 2529",
     );
     assert!(lasting(1000.0, |_| ()).check_runs(26).is_err());
+    // Runs of one sample are few too: each is an object outside.
+    assert!(lasting(0.01, |_| ()).check_runs(200_000).is_err());
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -2,12 +2,12 @@
 
 mod common;
 
-use common::{Random, searched_by, valid, velocity_limits};
+use common::{Random, evolved, records, searched_by, valid, velocity_limits};
 use core::f64::consts::PI;
 use ep_locomotion::number::SMALL_TURN;
 use ep_locomotion::robot::{Disturbance, DisturbanceKind, Gains, Law, Posture, Velocity};
 use ep_locomotion::run::Experiment;
-use ep_locomotion::search::EvolutionSettings;
+use ep_locomotion::search::{EvolutionSettings, Method};
 use ep_locomotion::study::{Evolution, SeedRun, fares, seed_runs};
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{RngExt, SeedableRng};
@@ -137,6 +137,26 @@ fn a_robot_and_its_reference_may_turn_apart_as_fast_as_they_can() {
         let together = fares(&setting, AT_REST).into_iter().map(|end| end.cost);
         for (start, (together, alone)) in together.zip(alone).enumerate() {
             assert_eq!(together, alone, "{:?}", experiment.starts[start]);
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn beside_each_method_random_search_has_as_many_drives_and_leaves_out_no_draw() {
+    for &method in Method::ALL {
+        let mut experiment = small(6, 7);
+        (experiment.horizon, experiment.evolution.method) = (0.5, method);
+        let run = searched(&experiment, 30);
+        let evolution = evolved(experiment.clone(), 30);
+        let draws: Vec<_> = (0..31).flat_map(|g| tried(&experiment.evolution, g)).collect();
+        let costs = evolution.setting().evaluate(&draws).expect("few");
+        let mut count = 0;
+        for (generation, record) in records(&evolution).iter().enumerate() {
+            count += record.tried().len();
+            let lowest = costs[..count].iter().copied().fold(f64::INFINITY, f64::min);
+            let best = evolution.statistics(generation as u32).expect("a generation").best.cost;
+            let told = (run.random.get(generation), run.best.get(generation));
+            assert_eq!(told, (Some(&lowest), Some(&best)), "{method:?}, generation {generation}");
         }
     }
 }

@@ -16,7 +16,7 @@ fn every_field_refuses_what_is_outside_its_range_by_name() {
     let valid = Preset::AccelerationLimits.experiment();
     assert_eq!(valid.validate(), Ok(()));
     type Setter = fn(&mut Experiment, f64);
-    let set: [(&str, Setter); 22] = [
+    let set: [(&str, Setter); 28] = [
         ("starts[0].x", |e, v| e.starts[0].x = v),
         ("starts[0].y", |e, v| e.starts[0].y = v),
         ("starts[0].theta", |e, v| e.starts[0].theta = v),
@@ -38,8 +38,17 @@ fn every_field_refuses_what_is_outside_its_range_by_name() {
         ("weights.final[1]", |e, v| e.weights.final_error[1] = v),
         ("weights.velocity[1]", |e, v| e.weights.velocity[1] = v),
         ("weights.penalty", |e, v| e.weights.penalty = v),
+        ("disturbance.linear", |e, v| e.disturbance.linear = v),
+        ("disturbance.angular", |e, v| e.disturbance.angular = v),
         ("evolution.initialSigma", |e, v| e.evolution.initial_sigma = v),
+        ("evolution.initialRange[1]", |e, v| e.evolution.initial_range[1] = v),
+        ("evolution.adaptation", |e, v| e.evolution.adaptation = v),
+        ("evolution.sigmaFloor", |e, v| e.evolution.sigma_floor = v),
+        ("evolution.crossover", |e, v| e.evolution.crossover = v),
     ];
+    let asked = Experiment::fields().numbers;
+    let real = asked.iter().filter(|field| !field.integer).count();
+    assert_eq!(set.len(), real, "a field has no row here");
     for (field, set) in set {
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, -1e300] {
             let mut experiment = valid.clone();

@@ -179,3 +179,16 @@ fn seconds_beyond_the_run_are_refused_by_name() {
         assert!(remaining_errors(&setting, &Gains::new(1.0, 1.0, 1.0), seconds).is_ok());
     }
 }
+
+#[wasm_bindgen_test(unsupported = test)]
+fn along_a_run_the_reach_of_7_is_that_of_the_heading() {
+    let setting = valid(unending(slip(0.1, 0.2)));
+    let gains = Gains::new(3.0, 2.0, 5.0);
+    let parts = error_parts(&setting, &gains, 0);
+    let samples: Vec<_> = setting.episode(gains, 0).samples().collect();
+    assert_eq!(parts.len(), samples.len());
+    for (part, sample) in parts.iter().zip(&samples) {
+        assert_eq!(part.error, ErrorSizes::new(&sample.error));
+        assert_close(part.sets.y.powi(3) * gains.y, 0.1 * sample.error.sin.abs(), 1e-9);
+    }
+}

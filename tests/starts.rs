@@ -6,6 +6,8 @@ use common::{EP_GAINS, GRID, Random, assert_close, assert_refused, bits, valid, 
 use ep_locomotion::robot::{Disturbance, DisturbanceKind, Gains, Posture};
 use ep_locomotion::run::{Cost, Experiment, Outcome, Preset};
 use ep_locomotion::study::{Circle, Evolution, Grid, Range, fares, robustness};
+use rand::rngs::Xoshiro256PlusPlus;
+use rand::{RngExt, SeedableRng};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -155,4 +157,17 @@ fn a_start_beyond_the_streams_meets_the_disturbances_of_another() {
     // The starts of the experiment have the first streams.
     experiment.starts = (0..2).map(|i| grid.posture(streams + i)).collect();
     assert_eq!(beyond[1..], fares(&valid(experiment), k));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_headings_of_a_circle_are_even_draws_of_their_own_stream() {
+    let circle = Circle { x: 1.0, y: 2.0, radius: 3.0, count: 50, seed: 9 };
+    let mut rng = Xoshiro256PlusPlus::seed_from_u64(9 | 4 << 32);
+    for start in circle.starts().expect("a circle") {
+        let turn = core::f64::consts::TAU * rng.random::<f64>();
+        assert_eq!(
+            start.theta,
+            if turn < core::f64::consts::PI { turn } else { turn - core::f64::consts::TAU }
+        );
+    }
 }

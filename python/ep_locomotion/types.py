@@ -39,7 +39,7 @@ BelowZero = Literal["penalty", "mirror", "clamp"]
 #: The name of one of the paper's two experiments: Figures 4 and 5, or Figures 6 and 7.
 Preset = Literal["velocity-limits", "acceleration-limits"]
 #: How a run ended: the robot came within the tolerances of the goal, the horizon was reached, or it left the finite
-#: numbers.
+#: numbers, or went so far that its square is none.
 Outcome = Literal["arrived", "horizon", "diverged"]
 #: A move of Nelder and Mead's simplex.
 Motion = Literal["begin", "reflection", "expansion", "outside-contraction", "inside-contraction", "shrink"]
@@ -287,9 +287,9 @@ class Individual(TypedDict):
     #: The gains (kx, ky, kθ).
     gains: Sequence[float]
     #: The strategy parameters: the standard deviation of each gain's mutation, of Cauchy's steps their scale. Of
-    #: CMA-ES the one it was drawn with; of a
-    #: method that goes from point to point, how far the step after it was to go when it was found (``plan`` has the next one);
-    #: of random search the initial σ; else 0.
+    #: CMA-ES the one it was drawn with; of a method that goes from point to point, of a parent the next step, of what was
+    #: tried the step after a success, but of finite differences the step that led to it; of random search the initial σ;
+    #: else 0.
     sigmas: Sequence[float]
     #: J, the mean over the start postures; infinite if it is not finite or not yet known.
     cost: float

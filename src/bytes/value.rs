@@ -6,7 +6,7 @@
 //! | 3 | a number | its 8 bytes |
 //! | 4 | a text | how many bytes (u32), UTF-8 |
 //! | 5 | numbers side by side | how many (u32), 8 bytes each |
-//! | 6 | zeros and ones side by side | how many (u32), a byte each |
+//! | 6 | zeros and ones side by side, only in answers | how many (u32), a byte each |
 //! | 7 | a list | how many (u32), values |
 //! | 8 | an object | how many (u32), and for each field its name, as the text it is without a tag, and its value |
 //! | 9 | something else | what it is called, as a text without a tag |

@@ -56,7 +56,8 @@ impl<S: Real> Arc<S> {
         (self.ahead * x + self.aside * y, self.ahead * y - self.aside * x)
     }
 
-    /// The vector (x, y) turned back by the arc's turn, from what it sweeps: R' = −ω R for a turn by 90°.
+    /// The vector (x, y) turned back by the arc's turn, from what it sweeps: R(T) z = z − ω J ∫ R z dt, for R' = −ω J R
+    /// with J the turn by 90°.
     #[inline]
     pub(super) fn turned_back(&self, (x, y): (S, S), swept: (S, S)) -> (S, S) {
         let omega = self.velocity.angular;

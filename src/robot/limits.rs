@@ -4,7 +4,8 @@ use super::posture::Velocity;
 use crate::number::Real;
 use crate::schema::{Allowed, record};
 
-const fn limit(unit: &'static str) -> Allowed {
+/// What is 0 or more, or null.
+pub(crate) const fn limit(unit: &'static str) -> Allowed {
     Allowed::within(unit, 0.0, 1e6).or_null()
 }
 

@@ -25,3 +25,4 @@ pub(crate) use arc::Arc;
 pub(crate) use disturbance::DisturbanceSequence;
 pub(crate) use error::Frame;
 pub(crate) use gains::Triples;
+pub(crate) use limits::limit;

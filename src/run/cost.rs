@@ -21,7 +21,8 @@ record! { input (Copy)
 }
 
 /// J = t_f + (p(t_f) − p_r)ᵀ W (p(t_f) − p_r) + ½ ∫ ((p − p_r)ᵀ(p − p_r) + qᵀ R q) dt + κ Σ max(0, −k_i),
-/// equation (9). Lower is better. A part that is not a number counts as infinite.
+/// equation (9). Lower is better. A part that is not a number counts as infinite. The parts have different units: J is their sum
+/// as bare numbers, in metres, seconds and radians, and would be another in others.
 ///
 /// Our choices, for the paper is silent or says another thing: q is the velocity that is driven, after the limits and
 /// without the disturbance, where (9) prints the commanded q_m; the integrals are sums over the samples, each with the values
@@ -65,7 +66,7 @@ impl Cost {
         self.time + self.final_error + self.path + self.energy + self.penalty
     }
 
-    /// The mean of several costs, part by part.
+    /// The mean of several costs, part by part; of none it is NaN.
     pub fn mean(costs: impl ExactSizeIterator<Item = Cost>) -> Cost {
         let count = costs.len() as f64;
         let sum = costs.fold(Cost::default(), |a, b| a.zip(b, |a, b| a + b));

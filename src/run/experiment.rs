@@ -1,7 +1,7 @@
 //! Everything that defines a run.
 
 use super::cost::Weights;
-use crate::robot::{Disturbance, DisturbanceKind, Law, Limits, Posture, Velocity};
+use crate::robot::{Disturbance, DisturbanceKind, Law, Limits, Posture, Velocity, limit};
 use crate::schema::{Allowed, Fields, Input, InvalidInput, Place, Result, Source, Text, record};
 use crate::search::EvolutionSettings;
 
@@ -18,9 +18,9 @@ record! { input (Copy)
         /// Largest |θ_e| in radians.
         pub heading: f64 => "heading" in Allowed::within("rad", 0.0, 100.0),
         /// Largest |v| in m/s of the sample before; null means that v is not looked at.
-        pub speed: Option<f64> => "speed" in Allowed::within("m/s", 0.0, 1e6).or_null(),
+        pub speed: Option<f64> => "speed" in limit("m/s"),
         /// Largest |ω| in rad/s of the sample before; null means that ω is not looked at.
-        pub turn_rate: Option<f64> => "turnRate" in Allowed::within("rad/s", 0.0, 1e6).or_null(),
+        pub turn_rate: Option<f64> => "turnRate" in limit("rad/s"),
     }
 }
 
@@ -80,7 +80,8 @@ impl Experiment {
         self.reference_velocity != Velocity::ZERO
     }
 
-    /// Checks every field against its range, and the few rules between fields.
+    /// Checks every field against its range, and the few rules between fields. [`Setting::new`](super::Setting::new) asks
+    /// besides what a generation takes.
     pub fn validate(&self) -> Result<()> {
         self.check(Place::Experiment, &Allowed::ANY)?;
         if self.horizon / self.sample_time > MAX_SAMPLES {

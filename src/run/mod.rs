@@ -1,6 +1,6 @@
 //! Runs: the experiment that defines them, what happens in a sample, one run, and many at once.
 //!
-//! An experiment is checked once, in [`Setting::new`]. What one call may cost is said in one place, `work.rs`.
+//! An experiment is checked once, in [`Setting::new`]. What one call may cost is bounded in `work.rs`.
 
 mod cost;
 

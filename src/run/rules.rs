@@ -7,7 +7,7 @@ use crate::schema::words;
 
 words! {
     /// How a run ended: the robot came within the tolerances of the goal, the horizon was reached, or it left the finite
-    /// numbers.
+    /// numbers, or went so far that its square is none.
     pub enum Outcome {
         /// The robot came within the tolerances of the goal.
         Arrived = "arrived",
@@ -121,6 +121,11 @@ impl Rules {
             limits,
             ..*self
         })
+    }
+
+    /// Whether the reference stands still.
+    pub(crate) fn is_parking(&self) -> bool {
+        self.reference_arc.is_none()
     }
 
     /// Whether the reference turns so far in a sample that only single robots can follow.

@@ -17,7 +17,8 @@ pub struct Setting {
 }
 
 impl Setting {
-    /// Validates an experiment; the error names the field that is wrong.
+    /// Validates an experiment; the error names the field that is wrong, or what a generation is too large for
+    /// ([`MAX_WORK`](super::MAX_WORK)).
     pub fn new(experiment: Experiment) -> Result<Self> {
         experiment.validate()?;
         experiment.check_generation()?;
@@ -59,7 +60,7 @@ impl Setting {
     #[inline]
     pub(crate) fn frame_at(&self, n: u32) -> Frame {
         let Experiment { goal, reference_velocity, sample_time, .. } = self.experiment;
-        if self.rules.arrival.is_some() {
+        if self.rules.is_parking() {
             return self.goal;
         }
         Frame::new(goal.advance(reference_velocity, f64::from(n) * sample_time))

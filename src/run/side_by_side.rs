@@ -2,7 +2,7 @@
 
 use super::rules::Robot;
 use crate::number::Lanes;
-use crate::robot::{Gains, Velocity};
+use crate::robot::{ErrorPosture, Gains, Velocity};
 
 impl Gains<Lanes> {
     pub(super) fn set(&mut self, index: usize, k: &Gains) {
@@ -15,24 +15,28 @@ impl Gains<Lanes> {
 
 impl Velocity<Lanes> {
     pub(super) fn set(&mut self, index: usize, velocity: Velocity) {
-        self.linear.set(index, velocity.linear);
-        self.angular.set(index, velocity.angular);
+        let Self { linear, angular } = self;
+        linear.set(index, velocity.linear);
+        angular.set(index, velocity.angular);
+    }
+}
+
+impl ErrorPosture<Lanes> {
+    fn set(&mut self, index: usize, error: &ErrorPosture) {
+        let Self { x, y, theta, cos, sin } = self;
+        for (lanes, value) in
+            [(x, error.x), (y, error.y), (theta, error.theta), (cos, error.cos), (sin, error.sin)]
+        {
+            lanes.set(index, value);
+        }
     }
 }
 
 impl Robot<Lanes> {
     pub(super) fn set(&mut self, index: usize, robot: &Robot<f64>) {
         let Self { error, velocity, path, energy } = self;
-        for (lanes, value) in [
-            (&mut error.x, robot.error.x),
-            (&mut error.y, robot.error.y),
-            (&mut error.theta, robot.error.theta),
-            (&mut error.cos, robot.error.cos),
-            (&mut error.sin, robot.error.sin),
-            (path, robot.path),
-        ] {
-            lanes.set(index, value);
-        }
+        error.set(index, &robot.error);
+        path.set(index, robot.path);
         velocity.set(index, robot.velocity);
         energy.set(index, robot.energy);
     }

@@ -4,7 +4,7 @@ use super::cost::Cost;
 use super::episode::EpisodeState;
 use super::rules::{Outcome, Robot};
 use super::setting::Setting;
-use super::work::check_bytes;
+use super::work::{BYTES_OF_AN_OBJECT, check_bytes};
 use crate::robot::{Gains, Posture, Velocity};
 use crate::schema::{Column, Result, told};
 
@@ -94,7 +94,7 @@ impl Setting {
     pub fn check_runs(&self, count: usize) -> Result<()> {
         let (what, count) = ("the number of gain triples", count as f64);
         self.experiment().check_drives(what, count, 1)?;
-        check_bytes(what, count, self.bytes_of_columns(COLUMNS))
+        check_bytes(what, count, BYTES_OF_AN_OBJECT + self.bytes_of_columns(COLUMNS))
     }
 
     /// A whole run with these gains from the start posture with this index.

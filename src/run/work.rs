@@ -1,4 +1,4 @@
-//! What one call may cost: the one place that says so.
+//! What one call may cost: the bounds. What one of something takes stands beside it.
 
 use super::experiment::Experiment;
 use crate::number::Real;

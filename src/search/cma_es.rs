@@ -36,6 +36,7 @@ impl Search for CmaEs {
 
     fn tell(&mut self, e: &EvolutionSettings, brood: Brood, costs: &[f64]) -> GenerationRecord {
         let (generation, normal) = (brood.generation, self.normal(e));
+        // As they were drawn: what was tried may be mirrored, or held at 0.
         let steps = normal.steps(e, generation);
         let brood = brood.with_costs(costs);
         let order = by_cost(&brood.offspring);

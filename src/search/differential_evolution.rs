@@ -24,7 +24,7 @@ impl Search for DifferentialEvolution {
     fn ask(&self, e: &EvolutionSettings, generation: u32) -> Brood {
         let members = &self.0.population;
         if generation == 0 {
-            let first = drawn(e, 0).into_iter().map(|one| one.with_sigmas([0.0; 3]));
+            let first = drawn(e, 0).into_iter().map(|one| Individual::new(one.gains, [0.0; 3]));
             return Brood::initial(first.collect());
         }
         let mut rng = stream(e.seed, Purpose::Partners, generation);

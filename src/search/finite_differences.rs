@@ -66,8 +66,7 @@ impl Search for FiniteDifferences {
             }
         };
         self.found.follow(&record);
-        let point = &mut self.found.population[0];
-        *point = point.with_sigmas([self.length; 3]);
+        self.found.population[0].sigmas = [self.length; 3];
         record
     }
 

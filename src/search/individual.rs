@@ -13,9 +13,9 @@ record! { (Copy)
         /// The gains (kx, ky, kθ).
         pub gains: Gains => "gains",
         /// The strategy parameters: the standard deviation of each gain's mutation, of Cauchy's steps their scale. Of
-        /// CMA-ES the one it was drawn with; of a
-        /// method that goes from point to point, how far the step after it was to go when it was found (`plan` has the next one);
-        /// of random search the initial σ; else 0.
+        /// CMA-ES the one it was drawn with; of a method that goes from point to point, of a parent the next step, of what was
+        /// tried the step after a success, but of finite differences the step that led to it; of random search the initial σ;
+        /// else 0.
         pub sigmas: [f64; 3] => "sigmas",
         /// J, the mean over the start postures; infinite if it is not finite or not yet known.
         pub cost: f64 => "cost",
@@ -33,11 +33,6 @@ impl Individual {
         let [low, high] = e.initial_range;
         let gains = [0; 3].map(|_| low + (high - low) * rng.random::<f64>());
         Self::new(e.tried(gains), [e.first_sigma(); 3])
-    }
-
-    /// The same with other σ.
-    pub(super) fn with_sigmas(self, sigmas: [f64; 3]) -> Self {
-        Self { sigmas, ..self }
     }
 
     /// Whether its cost is lower.

@@ -45,8 +45,7 @@ impl Search for OneAtATime {
         let record = brood.survived_by(&|number| (number == 1) == is_better);
         self.found.follow(&record);
         self.steps = self.after(record.generation, if is_better { FURTHER } else { BACK });
-        let point = &mut self.found.population[0];
-        *point = point.with_sigmas(self.steps.map(f64::abs));
+        self.found.population[0].sigmas = self.steps.map(f64::abs);
         record
     }
 

@@ -42,7 +42,7 @@ impl Search for OnePlusOne {
         self.0.follow(&record);
         if record.survivors == [0] && record.generation > 0 {
             let parent = &mut self.0.population[0];
-            *parent = parent.with_sigmas(parent.sigmas.map(|sigma| DECAY * sigma));
+            parent.sigmas = parent.sigmas.map(|sigma| DECAY * sigma);
         }
         record
     }

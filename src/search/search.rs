@@ -15,7 +15,8 @@ use super::settings::EvolutionSettings;
 /// What it asks for in a generation depends on where it stands, the settings with their seed and the generation's number
 /// alone; so a search that is kept can go on from there at any time, to the same bits.
 pub trait Search: Send + Sync {
-    /// What is to be driven in a generation; the first is 0.
+    /// What is to be driven in a generation: 0, 1, 2, …, each told before the next is asked for. Asked in another order it may
+    /// panic, or give what another search would try.
     ///
     /// # Panics
     /// If the generation is beyond [`LAST_GENERATION`](super::LAST_GENERATION), and the method draws in it, or if
@@ -25,7 +26,7 @@ pub trait Search: Send + Sync {
     /// The generation once each new solution has cost so much. From here on the search stands behind it.
     ///
     /// # Panics
-    /// If there is not one cost for each of them.
+    /// If there is not one cost for each of them, or if the brood is not what this search was just asked for.
     fn tell(&mut self, e: &EvolutionSettings, brood: Brood, costs: &[f64]) -> GenerationRecord;
 
     /// What the last generation left, best ranked first.

@@ -51,6 +51,9 @@ impl Tournament {
 
     /// All solutions in the order of their rank: most wins first, then lower J, then lower number. How ties are
     /// broken is our choice.
+    ///
+    /// # Panics
+    /// If there are more costs than solutions.
     pub fn ranking(&self, costs: &[f64]) -> Vec<u32> {
         in_order(costs.len(), &|i, j| {
             self.wins[j].cmp(&self.wins[i]).then(costs[i].total_cmp(&costs[j]))

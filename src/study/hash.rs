@@ -26,7 +26,8 @@ impl Hash {
 
     fn number(&mut self, number: f64) {
         // The bits of NaN are the machine's choice, so all count as one.
-        self.word(if number.is_nan() { f64::NAN.to_bits() } else { number.to_bits() });
+        const NAN: u64 = 0x7ff8_0000_0000_0000;
+        self.word(if number.is_nan() { NAN } else { number.to_bits() });
     }
 
     pub(super) fn record(&mut self, record: &GenerationRecord) {
@@ -40,5 +41,21 @@ impl Hash {
         for number in opponents.chain(&record.tournament.wins).chain(&record.survivors) {
             self.word((*number).into());
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Hash;
+
+    #[test]
+    fn every_nan_is_one_number_and_the_two_zeros_are_two() {
+        let of = |bits| {
+            let mut hash = Hash::EMPTY;
+            hash.number(f64::from_bits(bits));
+            hash.digits()
+        };
+        assert_eq!(of(0xfff8_0000_0000_0000), of(0x7ff8_0000_0000_0001));
+        assert_ne!(of(0.0_f64.to_bits()), of((-0.0_f64).to_bits()));
     }
 }

@@ -13,12 +13,8 @@ pub fn robust_gains(e: &ErrorPosture, bound: Velocity) -> Gains {
         if dividend == 0.0 { 0.0 } else { dividend / divisor }
     };
     let Velocity { linear: e1, angular: e2 } = bound.map(f64::abs);
-    let y = e.y.abs();
-    Gains::new(
-        ratio(e1, (e.x * e.cos).abs()),
-        ratio(e1 * e.sin.abs(), y * y * y),
-        ratio(e2, e.sin.abs()),
-    )
+    let ErrorSizes { x, y, theta } = ErrorSizes::new(e);
+    Gains::new(ratio(e1, x), ratio(e1 * theta, y * y * y), ratio(e2, theta))
 }
 
 /// A bound on V̇, in m²/s, that no disturbance within ±(ε1, ε2) exceeds under the law (5), wherever none of its divisors is
@@ -27,9 +23,8 @@ pub fn robust_gains(e: &ErrorPosture, bound: Velocity) -> Gains {
 /// the two parts of ε1 do not cancel.
 pub fn lyapunov_rate_bound(e: &ErrorPosture, k: &Gains, bound: Velocity) -> f64 {
     let Velocity { linear: e1, angular: e2 } = bound.map(f64::abs);
-    theorem_1_rate(e, k).total()
-        + ((e.y * e.sin).abs() + (e.x * e.cos).abs()) * e1
-        + e.sin.abs() * e2
+    let ErrorSizes { x, theta, .. } = ErrorSizes::new(e);
+    theorem_1_rate(e, k).total() + ((e.y * e.sin).abs() + x) * e1 + theta * e2
 }
 
 /// The three sizes of an error posture that Theorem 2 bounds one by one.

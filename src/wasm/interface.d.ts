@@ -201,7 +201,7 @@ export interface Cost {
 }
 /**
  * How a run ended: the robot came within the tolerances of the goal, the horizon was reached, or it left the finite
- * numbers.
+ * numbers, or went so far that its square is none.
  */
 export type Outcome = 'arrived' | 'horizon' | 'diverged';
 /** The robot at one sample. */
@@ -242,9 +242,9 @@ export interface Individual {
   gains: [number, number, number];
   /**
    * The strategy parameters: the standard deviation of each gain's mutation, of Cauchy's steps their scale. Of
-   * CMA-ES the one it was drawn with; of a
-   * method that goes from point to point, how far the step after it was to go when it was found (`plan` has the next one);
-   * of random search the initial σ; else 0.
+   * CMA-ES the one it was drawn with; of a method that goes from point to point, of a parent the next step, of what was
+   * tried the step after a success, but of finite differences the step that led to it; of random search the initial σ;
+   * else 0.
    */
   sigmas: [number, number, number];
   /** J, the mean over the start postures; infinite if it is not finite or not yet known. */
