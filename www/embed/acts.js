@@ -117,6 +117,13 @@ function openedWith(state, experiment, handGains, generation) {
   };
   const given = exercise.vary.length === 0 ? { preset, experiment } : student.base;
   const base = student.base && given && { ...given, prepared: preparedAs(drive, exercise) };
-  const kept = { page, lesson, preset, pins, exercise, student: { ...student, base, spent } };
+  const kept = {
+    page,
+    lesson,
+    preset,
+    pins,
+    exercise,
+    student: { ...student, base, spent, handin: '', of: '' },
+  };
   return { ...kept, ...drive, experiment, found: 'hand', trial: noTrial, parts: {} };
 }

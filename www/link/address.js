@@ -78,7 +78,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
     const { opened, newest, evolving, kept } = takeUp(run);
     place = placeOf(opened);
     if (kept) goOnAs(kept, actions);
-    actions.openLinked(opened, problems, newest);
+    actions.openLinked(opened, problems, newest, evolving);
     if (evolving && !store.get().catchingUp) actions.toggleEvolution();
     return problems;
   };
@@ -107,9 +107,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
     crossOver(store.get(), slices);
     away.leaves = true;
   });
-  addEventListener('popstate', () => {
-    if (location.hash.slice(1) !== written) open();
-  });
+  addEventListener('popstate', () => location.hash.slice(1) !== written && open());
   const problems = open();
   // What has not begun, and may be what somebody flees from, is not opened again.
   keepLeft(() => (away.leaves || !isDue(store.get(), place) ? null : linkFor(store.get())));
@@ -120,6 +118,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
 
     /** Opens a link of this page, as if it had been followed. An exercise goes on. @param {string} link */
     go(link) {
+      history.replaceState(null, '', `#${linkNow(written)}`);
       history[onward](null, '', `#${withExercise(link, store.get(), engine.experiment)}`);
       open();
     },

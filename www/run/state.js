@@ -28,7 +28,7 @@
  * @property {number} generation The one that is shown.
  * @property {Individual[]} population What that generation left, best first.
  * @property {boolean} evolving
- * @property {{ newest: number, generation: number } | null} catchingUp A run that was kept is made again up to its newest generation; then the other one is shown.
+ * @property {{ newest: number, generation: number, goesOn?: boolean } | null} catchingUp A run that was kept is made again up to its newest generation; then the other one is shown, or it evolves on.
  * @property {Computing | null} computing What the run waits for.
  * @property {number} pace Generations a second; Infinity: as fast as the machine goes; or one phase at a time.
  * @property {Until} until

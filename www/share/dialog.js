@@ -10,6 +10,7 @@ import { copy } from '../kit/copy.js';
 import { download } from '../kit/download.js';
 import { segmentedOf } from '../kit/fields.js';
 import { selectAll } from '../kit/templates.js';
+import { isEmpty } from '../run/exercise.js';
 import { caughtUp } from '../run/state.js';
 import { messageOf, orSay } from '../words/errors.js';
 import { opening } from '../words/index.js';
@@ -76,7 +77,8 @@ export function createKeep(tools, sheet) {
       const { opened, generations, hasDrive } = await openRunFile(await file.text(), engine, links, signal);
       if (signal.aborted) return;
       tools.keepPlace(opened);
-      tools.open(opened, [], generations);
+      // In an exercise the file counts the drives that were made, which would count once more.
+      tools.open(opened, [], isEmpty(opened.exercise) ? generations : opened.generation);
       start(words.opened(file.name, generations, hasDrive));
     } catch (error) {
       if (!signal.aborted) show(words.notOpened(file.name, messageOf(error)));

@@ -137,3 +137,18 @@ pageTest('a link far into a run says how far it has come, and Escape leaves it t
   assert.ok(Number(stopped) > 0 && Number(stopped) < 99_999, message);
   assert.equal(await page.text('#generation'), stopped);
 });
+
+pageTest('back from the lesson leads to all that the lab had come to', async (page) => {
+  await page.open('#lab&v=1');
+  // At once, before the address has followed by itself.
+  await page.evaluate(() => {
+    document.getElementById('one-generation')?.click();
+    document.getElementById('page-lesson')?.click();
+  });
+  await page.until(
+    'the lesson is open',
+    () => document.body.dataset.open === 'lesson' || /lesson/.test(location.hash),
+  );
+  await page.evaluate(() => history.back());
+  await page.until('its generation is there', () => /^#lab&.*generation=1(&|$)/.test(location.hash));
+});

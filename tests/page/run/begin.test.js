@@ -14,6 +14,15 @@ test('what is set while a link catches up begins another evolution, which nobody
   assert.equal(store.get().evolving, true);
 });
 
+test('evolution that was left running goes on from where it was, however far that is', () => {
+  for (const goesOn of [true, false]) {
+    const { actions, store } = pageOf('lab');
+    store.update({ evolving: true, catchingUp: { newest: 3, generation: 3, goesOn } });
+    actions.evolve(() => store.get().catchingUp !== null);
+    assert.deepEqual([store.get().generation, store.get().evolving], [3, goesOn]);
+  }
+});
+
 test('what a link waits for can be stopped, but not where running is locked', () => {
   for (const [locked, stops] of /** @type {const} */ ([
     ['', true],

@@ -30,6 +30,9 @@ test('a per cent means the same of the aim and of the points, and so do starts o
       assert.equal(said('unseen', value, low, '0', '90%', '6'), 'unseen:0.6 0.3:0,0.9:6');
   for (const low of ['16', '16/32'])
     assert.equal(said('parks', '28/32', low, '0', '32/32', '6'), 'parks:28/32 16:0,32:6');
+  // So many of 1000 are as many as it says, and not one more.
+  for (let count = 1; count <= 1000; count += 1)
+    assert.equal(said('unseen', `${count / 10} %`, '', '', '', ''), `unseen:${count / 1000} `);
   const { aim, scale } = read('unseen', '60%', '30%', '0', '90%', '6');
   assert.equal(aim && judged(aim, scale, { value: 2 / 3, drives: 0 }).points, 3.67);
 });

@@ -163,6 +163,13 @@ test('what is cut, forged, of another exercise, of another version, too long, or
   );
 });
 
+test('what alone was given and cannot be read says why, also where no exercise is known', async () => {
+  const { link } = await handedIn('s1', good);
+  const { rows } = await checkAll(link.replace('v=1', 'v=2'), '');
+  assert.equal(rows.length, 1);
+  assert.match(/** @type {{ said: string }} */ (rows[0].problem).said, /2/);
+});
+
 test('what nobody has told of drives is nowhere a number, and a budget of drives is not judged then', async () => {
   const budget = exercise.replace('J%3C7.9', 'J%3C7.9;drives%3C%3D100');
   const { link } = await handedIn('s1', good, budget);

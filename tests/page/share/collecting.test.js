@@ -129,6 +129,10 @@ pageTest('a class is checked, sorted, opened, pinned and saved for the gradebook
     document.activeElement?.matches('dialog[open] [aria-label="Open the run of Bob"]'),
   );
   assert.equal((await cells(page)).length, 5);
+  // Checked once more they are other rows, and whose run is on the page is not said by another's number.
+  await page.click('#collect-check');
+  await checked(page, 5);
+  assert.ok(await page.evaluate(() => document.getElementById('collect-strip')?.hidden));
   await page.click('#collect-close');
   await page.evaluate(() => history.back());
   await page.until(

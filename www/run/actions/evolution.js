@@ -65,8 +65,10 @@ function createGenerations({ engine, store, attempt, forget }) {
   /** Pauses where the run has to. */
   const arrive = () => {
     const { until, history, generation, catchingUp } = store.get();
-    if (generation === catchingUp?.newest) showGeneration(catchingUp.generation, null);
-    else if (!catchingUp && pausesAt(until, history[generation])) store.update({ evolving: false });
+    if (generation === catchingUp?.newest) {
+      showGeneration(catchingUp.generation, null);
+      if (catchingUp.goesOn) store.update({ evolving: true, ...untilAhead(store.get()) });
+    } else if (!catchingUp && pausesAt(until, history[generation])) store.update({ evolving: false });
   };
 
   return {
@@ -81,14 +83,14 @@ function createGenerations({ engine, store, attempt, forget }) {
       while (store.get().evolving && !store.get().computing && more()) forward(known);
     },
 
-    /** Evolves as far as a run has come: at once if that is soon done, else while the page looks on. @param {number} newest @param {number} generation The one that is shown then. */
-    catchUp(newest, generation) {
+    /** Evolves as far as a run has come: at once if that is soon done, else while the page looks on. @param {number} newest @param {number} generation The one that is shown then. @param {boolean} [goesOn] */
+    catchUp(newest, generation, goesOn = false) {
       const end = performance.now() + atOnce;
       const known = [...store.get().history];
       while (store.get().generation < newest && !store.get().computing && performance.now() < end)
         forward(known);
       if (store.get().generation < newest)
-        store.update({ evolving: true, catchingUp: { newest, generation } });
+        store.update({ evolving: true, catchingUp: { newest, generation, goesOn } });
       else showGeneration(generation);
     },
 

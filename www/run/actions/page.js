@@ -35,7 +35,7 @@ const takesHand = ({ driver, handGains }, run) =>
 /** Whether a step of the lesson is opened, from another or from elsewhere. @param {State} before @param {Pick<LinkedRun, 'lesson'>} run */
 const entersStep = (before, { lesson }) => lesson > 0 && lesson !== before.lesson;
 
-/** What a link holds takes the place of the run, or what is drawn for a student. @param {Basis} basis @param {(newest: number, generation: number) => void} catchUp */
+/** What a link holds takes the place of the run, or what is drawn for a student. @param {Basis} basis @param {(newest: number, generation: number, goesOn?: boolean) => void} catchUp */
 export function createOpening(basis, catchUp) {
   const { engine, store, places, attempt, forget, nextOf, tryToBegin, shown, newBox } = basis;
   const nearEnd = createNearEnd(basis);
@@ -50,9 +50,9 @@ export function createOpening(basis, catchUp) {
   return {
     /**
      * Begins what a link holds, and evolves to its generation or further.
-     * @param {Opened} opened @param {readonly string[]} problems @param {number} [newest]
+     * @param {Opened} opened @param {readonly string[]} problems @param {number} [newest] @param {boolean} [goesOn] Whether it evolves on from there.
      */
-    openLinked({ parts, experiment, generation, ...run }, problems, newest = generation) {
+    openLinked({ parts, experiment, generation, ...run }, problems, newest = generation, goesOn = false) {
       const hasNoPast = isFirst;
       isFirst = false;
       forget();
@@ -82,7 +82,7 @@ export function createOpening(basis, catchUp) {
         };
         tryToBegin(nextOf(experiment, patch), 'begin', patch);
         newBox(() => [...nearEnd(), ...cornerIn(store.get())]);
-        catchUp(newest, generation);
+        catchUp(newest, generation, goesOn);
         // Who pressed Run while it was still to begin.
         if (before.evolving && !store.get().catchingUp) store.update({ evolving: true });
         if (problems.length > 0) store.update({ message: problems.join(' ') });

@@ -74,8 +74,8 @@ export function createChecker(engine, links) {
       const rowOf = async (entry, i) => {
         const run = runs[i];
         const row = { entry, checked: null, same: [] };
-        if (run === null || !given) return { ...row, problem: entry.why ?? 'none' };
         if (typeof run === 'string') return { ...row, problem: { said: run } };
+        if (run === null || !given) return { ...row, problem: entry.why ?? 'none' };
         if (isHeavy(engine, run, given)) return { ...row, problem: 'heavy' };
         try {
           const checked = await recompute(tools, run, entry, given, { signal, turn });

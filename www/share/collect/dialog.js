@@ -20,7 +20,7 @@ import words from './words/index.js';
 
 const { texts } = words;
 
-/** What the sheet shows. `note`: what came of a press in the table; `opened`: the hand-in that is on the page, and since when it is. @typedef {{ status: string, isBad: boolean, note: string, share: number | null, rows: Row[], given: Given | null, files: File[], order: import('./table.js').Order, first: number, opened: { index: number, since: number } | null }} View */
+/** What the sheet shows. `note`: what came of a press in the table; `opened`: the hand-in that is on the page, and since when it is. @typedef {{ status: string, isBad: boolean, note: string, share: number | null, rows: Row[], given: Given | null, files: File[], order: import('./table.js').Order, first: number, opened: { index: number, row: Row, since: number } | null }} View */
 /** @type {View} */
 const noView = { ...unchecked, files: [], order: { column: 'number', isDown: false }, opened: null };
 

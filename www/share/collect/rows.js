@@ -63,7 +63,7 @@ export function createRowEvents({ store, actions, open, keepPlace }, sheet, view
       actions.whenIdle().then(() => {
         const { experiment, work } = store.get();
         if (experiment !== run.experiment) return;
-        update({ opened: { index, since: work.since } });
+        update({ opened: { index, row: rows[index], since: work.since } });
         // Unless one has gone elsewhere meanwhile.
         if ([focused, document.body].includes(document.activeElement)) byId(next).focus();
       });

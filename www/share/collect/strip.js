@@ -25,7 +25,8 @@ export function createStrip(on) {
     draw(view, since) {
       if (!changed(view, since)) return;
       const { rows, order, opened } = view;
-      root.hidden = opened === null || opened.since !== since;
+      // Once they are checked again its row is another.
+      root.hidden = opened === null || opened.since !== since || rows[opened.index] !== opened.row;
       if (!opened || root.hidden) return;
       const readable = ordered(rows, order).filter((index) => rows[index].checked);
       render(contentOf(rows, readable, opened.index, on), root);

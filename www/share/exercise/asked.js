@@ -33,7 +33,8 @@ function orSay(field, why, read) {
 }
 
 /** As links have it: nine tenths, for who types 90 %. @param {string} text */
-const shareOf = (text) => (text.endsWith('%') ? numberText(number(text.slice(0, -1)) / 100) : text);
+const shareOf = (text) =>
+  text.endsWith('%') ? numberText(Number((number(text.slice(0, -1)) / 100).toPrecision(15))) : text;
 
 /** A number within what there can be. @param {string} text @param {number} highest */
 function upTo(text, highest) {

@@ -60,9 +60,10 @@ export function createMaker({ engine, store, actions, links, paper }) {
   const aim = createAimFields(draftNow, change, store.redraw);
   const easyOf = createEasy({ engine, paper }, store.redraw);
   const preview = createPreview(store.redraw);
-  const say = (/** @type {string} */ text) => {
+  /** @param {string} text @param {string} [of] The exercise of which it is said. */
+  const say = (text, of = linkNow) => {
     status = text;
-    linkSaid = linkNow;
+    linkSaid = of;
     store.redraw();
   };
   const packaging = createPackaging(say);
@@ -99,7 +100,7 @@ export function createMaker({ engine, store, actions, links, paper }) {
       panel.hidden = !open;
       if (!open) {
         // The button may have been hidden until now.
-        if (isOther) byId('keep-button')?.focus();
+        if (isOther && !state.settings.open) byId('keep-button')?.focus();
         return preview.draw(null);
       }
       const link = links.linkOf(givenOf(state, draft, paper), engine.experiment);

@@ -31,7 +31,7 @@ async function besideThePage() {
   }
 }
 
-/** @param {(text: string) => void} say What is shown then. */
+/** @param {(text: string, of?: string) => void} say What is shown then, and of which exercise. */
 export function createPackaging(say) {
   let asks = false;
 
@@ -44,7 +44,7 @@ export function createPackaging(say) {
     download(`exercise-${digitsOf(link)}.zip`, 'application/zip', zip);
     asks = false;
     const written = scorm.written(zip.size);
-    say(link.length > mostOfLink ? `${written} ${scorm.long(link.length)}` : written);
+    say(link.length > mostOfLink ? `${written} ${scorm.long(link.length)}` : written, link);
   }
 
   return {
