@@ -84,7 +84,7 @@ export function costRange({ columns, paper }) {
   const [, median] = extentOf([columns.median]);
   const high = Math.min(Math.max(first, median, Math.min(paper ?? first, 1.3 * first)), 1.4 * first);
   const low = Math.min(newest, paper ?? newest);
-  const room = 0.08 * (high - low) + 0.01 * high;
+  const room = 0.08 * (high - low) + 0.01 * high || 0.05;
   return [Math.max(0, low - 2 * room), high + room];
 }
 

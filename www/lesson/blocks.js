@@ -7,6 +7,7 @@ import { watch } from '../kit/memo.js';
 import { disturbanceSlice } from '../parts/disturbance/state.js';
 import { generationSlice } from '../parts/generation/state.js';
 import { landscapeSlice } from '../parts/landscape/state.js';
+import { robustnessSlice } from '../parts/robustness/state.js';
 import { lesson as first } from '../words/index.js';
 import { isAskedIn } from './questions/asked-in.js';
 import { createFormula } from './formulas/formula.js';
@@ -73,6 +74,7 @@ function createValues(article, step, { store }) {
         generationSlice.of(state),
         landscapeSlice.of(state).result,
         disturbanceSlice.of(state).measured,
+        robustnessSlice.of(state).half,
       ];
       const now = [scene.driving, sample, state.history, state.generation, progressSlice.of(state), ...parts];
       if (!changed(...now) && !isDue) return;

@@ -52,6 +52,7 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
   const stage = createStage(tools);
   const errorPosture = createErrorPosture(byId('error-posture'));
   const samples = createSamples(engine);
+  const openChanged = watch();
   const stepChanged = watch();
   const headChanged = watch();
   createLit();
@@ -77,6 +78,7 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
       }
       errorPosture.hide(!step?.overlay);
       stage.open(step, state);
+      const isOpened = openChanged(lesson);
       if (!step) return;
       const isNew = stepChanged(lesson);
       if (isNew) {
@@ -92,7 +94,7 @@ export function createLessonPage({ engine, store, actions, paper, go }) {
         gains: gainsOf(state, state.driver, paper),
         ...samples(state, scene),
       };
-      if (isNew && step.time) actions.standAt(step.time(live));
+      if (isOpened && step.time) actions.standAt(step.time(live));
       tally.count(live, step);
       if (step.overlay) errorPosture.draw(live);
       stage.draw(live);

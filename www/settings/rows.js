@@ -32,8 +32,8 @@ function createFrame({ path, symbol }, id, help, onBack) {
       const back = words.backLabel(name, original);
       const onClick = () => {
         onBack(model.original);
-        // The button that was pressed is about to go.
-        document.getElementById(id)?.focus();
+        // The button that was pressed is about to go, and a field with it whose limit was none.
+        document.getElementById(model.original === null ? `${id}-on` : id)?.focus();
       };
       element.classList.toggle('changed', isChanged);
       render(

@@ -31,4 +31,8 @@ test('below the lowest J there is room on the axis, but none below 0, where no J
   const { newest, range } = rangeOf(wild, 7, null);
   assert.ok(newest < range[1] / 100, 'its first J is far above');
   assert.equal(range[0], 0);
+  // Who begins at the goal pays nothing, and is at the bottom of an axis.
+  const there = rangeOf(experiment({ starts: [usual.goal] }), 1, null);
+  assert.equal(there.newest, 0);
+  assert.ok(there.range[0] === 0 && there.range[1] > 0, `${there.range}`);
 });

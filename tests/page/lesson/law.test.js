@@ -237,3 +237,17 @@ pageTest('a term lights up its slider, its bars and its errors; another law show
   await page.open('#lab&v=1&drives=hand&gains=3,1,5&law=kanayama&lesson=3');
   assert.equal((await barsAt(page, 0.2)).length, 4, 'asked for and after the limits, twice');
 });
+
+pageTest('the clock of a step stands where its words say, also when one comes back to it', async (page) => {
+  await page.open('#lesson&step=3');
+  const time = () => page.evaluate(() => document.getElementById('clock')?.textContent);
+  const first = await page.until('it stands', () => {
+    const text = document.getElementById('clock')?.textContent;
+    return text && !/^0[.,]00/.test(text) && text;
+  });
+  await page.click('#page-lab');
+  await page.until('the lesson is closed', () => document.getElementById('lesson')?.hidden);
+  await page.click('#page-lesson');
+  await page.until('it is open', () => document.getElementById('lesson')?.hidden === false);
+  assert.equal(await time(), first);
+});

@@ -67,6 +67,15 @@ pageTest('a pinned drive can be renamed, but not to nothing', async (page) => {
   await rename(Key.BACK_SPACE);
   assert.match(await textOf(page, '#pins-message'), /name/);
   assert.equal((await comparison(page)).names[1], 'kim');
+  // What is typed stays, whatever else comes meanwhile.
+  await page.focus('#pin-name-1');
+  await page.press('a', 'b');
+  await page.evaluate(() => document.getElementById('one-generation')?.click());
+  await page.until('another robot drives', () => /generation=1/.test(location.hash));
+  assert.match(
+    await page.evaluate(() => /** @type {HTMLInputElement} */ (document.activeElement).value),
+    /ab/,
+  );
 });
 
 test('of a pin is told in what else than the gains it differs', () => {

@@ -217,6 +217,12 @@ pageTest('limits are switched off and on', async (page) => {
   const { turnAcceleration } = experiment('acceleration-limits').limits;
   await assertBegun(page, { ...velocityLimits, limits: { ...velocityLimits.limits, turnAcceleration } });
   assert.equal((await setting(page, 'limits-turnAcceleration')).back, 'Turn acceleration: back to no limit');
+  // Back to none its field cannot have the focus any more.
+  await page.click('.setting:has(#setting-limits-turnAcceleration) .back');
+  await page.until(
+    'what switches it has the focus',
+    () => document.activeElement?.id === 'setting-limits-turnAcceleration-on',
+  );
 });
 
 pageTest('what is changed is seen, and goes back one by one or all together', async (page) => {

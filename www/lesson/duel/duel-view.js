@@ -223,9 +223,11 @@ function createRounds({ store, engine, actions }) {
     asked = duel;
     try {
       const round = await roundOf(engine, duel, nextSeed(duel));
-      if (progressSlice.of(store.get()).duel === duel)
+      // Whatever is shown of it meanwhile, it is the same as long as nobody has driven on.
+      const now = progressSlice.of(store.get()).duel;
+      if (now && now.rounds === duel.rounds && now.costs === duel.costs)
         update(store, {
-          duel: { ...duel, rounds: [...duel.rounds, round] },
+          duel: { ...now, rounds: [...now.rounds, round] },
           // Whoever has predicted wants to see it, but for who drives on.
           ...(store.get().dragging ? {} : { sees: 'evolution' }),
         });

@@ -44,14 +44,18 @@ export function createSwarm({ store }, words, seenIn) {
     draw(live) {
       const seen = seenIn(live);
       if (!seen) {
+        film.leave();
+        begun(null);
+        picture.hidden = true;
         if (changed(null)) render(html`<p class="muted">${words.tooLong}</p>`, head);
         return;
       }
+      picture.hidden = false;
       const { name, yard } = seen;
       if (begun(yard)) film.begin(Math.max(...yard.runs.map(restOf)));
       const time = film.now();
       const size = sizeOf();
-      if (!changed(yard, name, time, size.width, size.height, live.state.theme) || size.width === 0) return;
+      if (!changed(yard, name, time, size, live.state.theme) || size.width === 0) return;
       const starts = yard.runs.length;
       const parked = yard.runs.filter(({ arrived, finalTime }) => arrived && finalTime <= time).length;
       canvas.setAttribute('aria-label', words.label(name, yard.parked, starts));

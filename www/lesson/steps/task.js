@@ -5,6 +5,7 @@ import { fine } from '../../parts/robustness/request.js';
 import { trainingSlice } from '../../parts/training/state.js';
 import { remember, rememberEach } from '../../kit/memo.js';
 import { gainsOf } from '../../run/drivers.js';
+import { caughtUp } from '../../run/state.js';
 import { lab } from '../../words/index.js';
 import { fixed } from '../../words/numbers.js';
 import { aside, isSame } from '../aside.js';
@@ -36,9 +37,10 @@ const createTaskStage = (tools) =>
     return yard && { name: shared.swarm.own(gains), yard };
   });
 
-/** What a prediction sets going in Training, and waits for. @type {Pick<Quiz, 'begins' | 'ready'>} */
+/** What a prediction sets going in Training, and waits for. @type {Pick<Quiz, 'begins' | 'of' | 'ready'>} */
 const evolvesAll = {
   begins: (store) => trainingSlice.update(store, { wanted: 'evolved' }),
+  of: (state) => [trainingSlice.of(state).generations],
   ready: ({ state }) => trainingIsDone(state),
 };
 
@@ -50,6 +52,7 @@ export const task = {
     { kind: 'text', name: 'good' },
     quiz('share', {
       shows: 'lab&generation=100',
+      of: (state) => [caughtUp(state).generation],
       order: [1, 2, 3, 0],
       // Who fails is seen to fail first.
       ready: () => !filmRuns(),

@@ -79,11 +79,13 @@ export function createStandings({ engine, actions, store }, { standings: words }
     element,
     draw(live) {
       const { experiment, handGains, driver, preset, robot, theme } = live.state;
-      for (const [i, run] of driven.entries())
-        if (run) pictures[i].draw(experiment, run, robot.time, theme, { car: 8, others: driven, beat });
+      const drawPictures = () => {
+        for (const [i, run] of driven.entries())
+          if (run) pictures[i].draw(experiment, run, robot.time, theme, { car: 8, others: driven, beat });
+      };
       isEvolved = driver === 'evolved';
       const last = isEvolved ? live.gains : null;
-      if (!changed(experiment, handGains, driver, preset, String(last))) return;
+      if (!changed(experiment, handGains, driver, preset, String(last))) return drawPictures();
       if (handGains && !isGentle(handGains)) byHand = handGains;
       const gains = entrantsOf(live, last ?? byHand);
       /** @param {Entrant} name */
@@ -120,6 +122,7 @@ export function createStandings({ engine, actions, store }, { standings: words }
         html`<caption>${beat > 0 ? words.dots(String(beat)) : ''}</caption><tbody>${rows}</tbody>`,
         element,
       );
+      drawPictures();
     },
   };
 }

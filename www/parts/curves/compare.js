@@ -3,7 +3,7 @@
 /** @import { Pin } from '../../run/pins.js' */
 /** @import { Tools } from '../part.js' */
 /** @import { View } from './page.js' */
-import { html, nothing, render } from 'lit-html';
+import { html, noChange, nothing, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { byId } from '../../kit/elements.js';
 import { watch } from '../../kit/memo.js';
@@ -20,15 +20,21 @@ import { curvesSlice } from './state.js';
 
 /** @typedef {{ name: string, gains: Triple, experiment: Experiment, run: Run, slot: number | null }} Column */
 /** @typedef {{ head: string, className?: string, texts: readonly string[] }} Row */
-/** @typedef {{ onName: (slot: number, text: string) => void, onUnpin: (slot: number) => void }} PinEvents */
+/** @typedef {{ onTyping: (slot: number | null) => void, onName: (slot: number, text: string) => void, onUnpin: (slot: number) => void }} PinEvents */
 
 /** @param {HTMLElement} root @param {Tools} tools @returns {View} */
 export function createComparison(root, { engine, store, actions, paper }) {
   const settingTexts = createSettingTexts(engine.fields());
   const say = (/** @type {string} */ message) => curvesSlice.update(store, { message });
+  /** The slot of the pin whose name is being typed. @type {number | null} */
+  let typing = null;
   /** @type {PinEvents} */
   const on = {
+    onTyping(slot) {
+      typing = slot;
+    },
     onName(slot, text) {
+      typing = null;
       const name = tidyText(text);
       if (name === '') return say(words.nameNeeded);
       actions.renamePin(slot, name);
@@ -57,7 +63,7 @@ export function createComparison(root, { engine, store, actions, paper }) {
       render(
         html`
           <p id="pins-text" class="muted">${pins.length === 0 ? words.noPinsText : words.pinsText(pins.length)}</p>
-          <ul id="pins-list" class="pins-list">${pins.map((pin) => itemOf(pin, on))}</ul>
+          <ul id="pins-list" class="pins-list">${pins.map((pin) => itemOf(pin, on, pin.slot === typing))}</ul>
           <p id="pins-message" class="field-error" role="alert" .hidden=${message === ''}>${message}</p>
           <div class="curves-scroll" tabindex="0" role="group" aria-label=${words.texts.comparisonTable}>
             ${tableOf(columns, settingTexts)}
@@ -68,12 +74,13 @@ export function createComparison(root, { engine, store, actions, paper }) {
   };
 }
 
-/** @param {Pin} pin @param {PinEvents} on */
-const itemOf = ({ slot, name }, { onName, onUnpin }) => html`
+/** @param {Pin} pin @param {PinEvents} on @param {boolean} isTyping What is typed stays, also while evolution runs. */
+const itemOf = ({ slot, name }, { onTyping, onName, onUnpin }, isTyping) => html`
   <li class="row">
     ${createSwatch(styles[slot])}
     <input id="pin-name-${slot + 1}" type="text" maxlength="60" autocomplete="off" spellcheck="false"
-      aria-label=${words.nameLabel(slot)} .value=${live(name)}
+      aria-label=${words.nameLabel(slot)} .value=${isTyping ? noChange : live(name)}
+      @input=${() => onTyping(slot)} @blur=${() => onTyping(null)}
       @change=${(/** @type {Event} */ { target }) => onName(slot, /** @type {HTMLInputElement} */ (target).value)}>
     <button id="unpin-${slot + 1}" type="button" aria-label=${words.unpin(name)} @click=${() => onUnpin(slot)}>${words.unpinShort}</button>
   </li>`;

@@ -60,6 +60,7 @@ export function createSight(element, store, lowestIn) {
 function createEvents(store) {
   const { now: own, update } = landscapeSlice.at(store);
   return {
+    redraw: store.redraw,
     /** @param {'x' | 'y'} axis @param {AxisChoice} choice */
     onAxis(axis, { gain, log }) {
       const { [axis]: before, [axis === 'x' ? 'y' : 'x']: other } = own();
@@ -133,7 +134,7 @@ function axisChoice(axis, { [axis]: shown }, label, { onAxis }) {
 }
 
 /** The gain that is on no axis. @param {LandscapeState} landscape @param {number} value @param {boolean} isTyping What is typed stays. @param {Events} on */
-function thirdGain(landscape, value, isTyping, { onThird, onFollows }) {
+function thirdGain(landscape, value, isTyping, { onThird, onFollows, redraw }) {
   const { third, thirdError } = landscape;
   const { id, name, letter, index } = lab.gains[thirdOf(landscape)];
   return html`
@@ -141,7 +142,7 @@ function thirdGain(landscape, value, isTyping, { onThird, onFollows }) {
       <input id="landscape-third" type="text" size="5" inputmode=${keysFor(true)} autocomplete="off" spellcheck="false"
         aria-label=${words.thirdLabel(name)} aria-describedby="landscape-third-error"
         aria-invalid=${String(thirdError !== '')} .value=${isTyping || thirdError ? noChange : live(lab.typed(value, 3))}
-        @focus=${selectAll}
+        @focus=${selectAll} @blur=${redraw}
         @change=${(/** @type {Event} */ event) => onThird(valueIn(event))}></label>
     ${checkOf('landscape-follows', texts.landscapeFollows, third === null, (follows) => onFollows(follows, value))}
     <p id="landscape-third-error" class="field-error" role="alert" .hidden=${!thirdError}>${thirdError}</p>`;

@@ -38,7 +38,7 @@ export function drawLineNames(context, axes, model, y) {
         drawName(context, { text: line.name, x: place.x, y: place.y, token });
       }
   } else {
-    const last = (lab?.costs.length ?? 0) - 1;
+    const last = Math.min((lab?.costs.length ?? 0) - 1, model.generations);
     // The lab's own curve falls below it.
     drawExpected(context, axes, last > 0 ? 0.2 : 0.55);
     if (lab) drawName(context, { text: lab.name, x: x(last) + 8, y: y(lab.costs[last]), token });

@@ -22,7 +22,7 @@ export function createLegend(root) {
   return {
     /** @param {LegendModel} model */
     draw({ shading, quantity, heading, theme }) {
-      if (!changed(shading, theme)) return;
+      if (!changed(shading, theme, devicePixelRatio)) return;
       render(sight(shading, quantity, heading === null), root);
       /** @param {CanvasRenderingContext2D} context @param {string | CanvasPattern} style */
       const fill = (context, style) => {
