@@ -70,8 +70,8 @@ pageTest('a pinned drive can be renamed, but not to nothing', async (page) => {
   // What is typed stays, whatever else comes meanwhile.
   await page.focus('#pin-name-1');
   await page.press('a', 'b');
-  await page.evaluate(() => document.getElementById('one-generation')?.click());
-  await page.until('another robot drives', () => /generation=1/.test(location.hash));
+  await page.evaluate(() => document.getElementById('drives-paper-arbitrary')?.click());
+  await page.until('another robot drives', () => location.hash.includes('drives=paper-arbitrary'));
   assert.match(
     await page.evaluate(() => /** @type {HTMLInputElement} */ (document.activeElement).value),
     /ab/,
