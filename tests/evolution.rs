@@ -201,14 +201,6 @@ fn a_record_adds_up() {
         assert_eq!(record.ranking, record.tournament.ranking(&costs));
         assert_eq!(record.ranking[..20], record.survivors);
         population = record.population();
-        let mut costs: Vec<f64> = population.iter().map(|one| one.cost).collect();
-        costs.sort_by(f64::total_cmp);
-        let told = evolution.statistics(generation).expect("a generation");
-        assert_eq!([told.median, told.worst], [0.5 * (costs[9] + costs[10]), costs[19]]);
-        for (j, mean) in told.mean_sigmas.into_iter().enumerate() {
-            let sum: f64 = population.iter().map(|one| one.sigmas[j]).sum();
-            assert_close(mean, sum / 20.0, 1e-12);
-        }
     }
     assert_eq!(population, evolution.population(30).expect("newest"));
 }

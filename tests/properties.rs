@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{Random, evolved, records, searched_by, valid, velocity_limits};
+use common::{Random, assert_close, evolved, records, searched_by, valid, velocity_limits};
 use core::f64::consts::PI;
 use ep_locomotion::number::SMALL_TURN;
 use ep_locomotion::robot::{Disturbance, DisturbanceKind, Gains, Law, Posture, Velocity};
@@ -157,6 +157,22 @@ fn beside_each_method_random_search_has_as_many_drives_and_leaves_out_no_draw() 
             let best = evolution.statistics(generation as u32).expect("a generation").best.cost;
             let told = (run.random.get(generation), run.best.get(generation));
             assert_eq!(told, (Some(&lowest), Some(&best)), "{method:?}, generation {generation}");
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_is_told_of_a_generation_is_that_of_its_population() {
+    let evolution = evolved(small(20, 4), 30);
+    for generation in 0..=30 {
+        let population = evolution.population(generation).expect("a generation");
+        let mut costs: Vec<f64> = population.iter().map(|one| one.cost).collect();
+        costs.sort_by(f64::total_cmp);
+        let told = evolution.statistics(generation).expect("a generation");
+        assert_eq!([told.median, told.worst], [0.5 * (costs[9] + costs[10]), costs[19]]);
+        for (j, mean) in told.mean_sigmas.into_iter().enumerate() {
+            let sum: f64 = population.iter().map(|one| one.sigmas[j]).sum();
+            assert_close(mean, sum / 20.0, 1e-12);
         }
     }
 }
