@@ -3,7 +3,7 @@
 
 /** @typedef {Pick<State, 'driver' | 'handGains' | 'found'>} Hand */
 /** `hand`: where the step is one of gains. @typedef {Pick<State, 'experiment' | 'preset'> & { hand?: Hand }} Version */
-/** @typedef {{ past: readonly Version[], future: readonly Version[] }} Versions The nearest is the last of the past, the first of the future. */
+/** @typedef {{ past: readonly Version[], future: readonly Version[], held?: readonly Version[] }} Versions The nearest is the last of the past, the first of the future; `held`: the future that a drag has taken, until it ends. */
 
 const most = 200;
 
@@ -39,13 +39,13 @@ export const afterHand = (before) => ({
 export function afterChange(before, after) {
   const { versions, dragging } = before;
   if (dragging || isSame(now(before), after)) return versions;
-  return { past: [...versions.past, now(before)].slice(-most), future: [] };
+  return { past: [...versions.past, now(before)].slice(-most), future: [], held: versions.future };
 }
 
 /** After a drag, which may have come back to where it began. @param {State} state @returns {Versions} */
 export function afterDrag(state) {
-  const { past, future } = state.versions;
-  return isSame(past.at(-1), now(state)) ? { past: past.slice(0, -1), future } : state.versions;
+  const { past, future, held = future } = state.versions;
+  return isSame(past.at(-1), now(state)) ? { past: past.slice(0, -1), future: held } : { past, future };
 }
 
 /** @param {State} state @returns {{ version: Version, versions: Versions } | null} */

@@ -102,6 +102,36 @@ test('nothing is taken back under a hand that still holds something', () => {
   assert.equal(actions.postureOf('goal').x, 1.5);
 });
 
+test('a drag that comes back to where it began leaves what was undone; one that does not, and a press alone, are as ever', () => {
+  const { store, actions } = pageOf('lab');
+  const goal = actions.postureOf('goal');
+  const dragTo = (/** @type {readonly number[]} */ ...places) => {
+    for (const x of places) actions.movePosture('goal', { ...goal, x }, true);
+    actions.releasePosture();
+  };
+  const told = () => {
+    const { past, future } = store.get().versions;
+    return [actions.postureOf('goal').x, past.length, future.length];
+  };
+  dragTo(1);
+  dragTo(2);
+  actions.undo();
+  assert.deepEqual(told(), [1, 1, 1]);
+  dragTo(1.5, 1);
+  dragTo();
+  assert.deepEqual(told(), [1, 1, 1]);
+  actions.changeSetting('goal.x', 1.5, true);
+  actions.changeSetting('goal.x', 1, true);
+  actions.releaseSetting();
+  assert.deepEqual(told(), [1, 1, 1]);
+  actions.redo();
+  assert.deepEqual(told(), [2, 2, 0]);
+  actions.undo();
+  dragTo(1.5);
+  dragTo();
+  assert.deepEqual(told(), [1.5, 2, 0]);
+});
+
 test('what was refused of the gains is gone with those that an undo takes back', () => {
   const { store, actions } = pageOf('lab&drives=hand&gains=3,1,5');
   actions.driveGains([4, 2, 6], 'luck');
