@@ -14,7 +14,7 @@ import { createLanguageSwitch } from './language-switch.js';
 import { inLanguage, withExercise } from './link.js';
 import { keepLeft, takeLeft } from './reload.js';
 import { isEmpty } from '../run/exercise.js';
-import { asked, caughtUp } from '../run/state.js';
+import { asked, caughtUp, noTrial } from '../run/state.js';
 import { mostOfWho } from '../run/variant.js';
 import { link as words } from '../words/index.js';
 import { language, languageOfAddress } from '../words/language.js';
@@ -62,7 +62,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
   /** None where the address still tells of the run before. @type {string | null} */
   let written = location.hash.slice(1);
   /** @type {Place} */
-  let place = { page: '', lesson: 0 };
+  let place = { page: '', lesson: 0, trial: noTrial };
 
   const open = () => {
     const asked = location.hash.slice(1);
@@ -88,12 +88,10 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
     if (away.leaves || !isDue(state, place)) return;
     const link = linkFor(state);
     if (link === written) return;
-    if (!isElsewhere(state, place) || !written) history.replaceState(null, '', `#${link}`);
-    else {
-      // A step that "back" takes back: to all that the part before has come to.
-      history.replaceState(null, '', `#${linkFor({ ...state, ...place })}`);
-      history[onward](null, '', `#${link}`);
-    }
+    const isStep = isElsewhere(state, place) && written;
+    // One that "back" takes back: to all that the part before has come to.
+    if (isStep) history.replaceState(null, '', `#${linkFor({ ...state, ...place })}`);
+    history[isStep ? onward : 'replaceState'](null, '', `#${link}`);
     written = link;
     place = placeOf(state);
   };
@@ -133,6 +131,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
 
     /** Writes what has changed, soon. @param {State} state */
     follow(state) {
+      if (!isElsewhere(state, place)) place = placeOf(state);
       if (away.leaves || !isDue(state, place) || (state.evolving && soon.waits && !isElsewhere(state, place)))
         return;
       if (!changed(...links.carried(state))) return;
@@ -226,10 +225,10 @@ function createWays(linkTo, names, andThen) {
 /** Who works here, where the address says so before its #, as learning platforms write it. */
 const whoAsked = () => tidyText(new URLSearchParams(location.search).get('who') ?? '').slice(0, mostOfWho);
 
-/** Where an address is: the part, and the step of the lesson. @typedef {{ page: string, lesson: number }} Place */
+/** Where an address is: the part, the step of the lesson, and what is tried there. @typedef {Pick<State, 'page' | 'lesson' | 'trial'>} Place */
 
 /** @param {Place} at @returns {Place} */
-const placeOf = ({ page, lesson }) => ({ page, lesson });
+const placeOf = ({ page, lesson, trial }) => ({ page, lesson, trial });
 
 /** @param {State} state @param {Place} place */
 const isElsewhere = (state, place) => state.page !== place.page || state.lesson !== place.lesson;

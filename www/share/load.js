@@ -16,7 +16,7 @@ import { load as loadCollect } from './collect/words/load.js';
 import { load as loadHandIn } from './handin/words/load.js';
 import { load as loadWords } from './words/load.js';
 
-/** `open` opens a file whether or not the controls are locked; `keepPlace`: the browser's “back” will lead to the run that is there now. @typedef {Tools & { sceneOf: (state: State) => Scene, open: Tools['actions']['openLinked'], keepPlace: (next: { page: string, lesson: number }) => void }} ShareTools */
+/** `open` opens a file whether or not the controls are locked; `keepPlace`: the browser's “back” will lead to the run that is there now. @typedef {Tools & { sceneOf: (state: State) => Scene, open: Tools['actions']['openLinked'], keepPlace: (next: Pick<State, 'page' | 'lesson' | 'trial'>) => void }} ShareTools */
 /** What the sheets get: they open each other. @typedef {ShareTools & Record<'openChecks' | 'openCode' | 'openCollect', () => void>} SheetTools */
 
 /**

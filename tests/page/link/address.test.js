@@ -49,6 +49,22 @@ engineTest('another part of the page is a step that back takes back, and nothing
   await page.until('the landscape is open', () => document.body.dataset.open === 'landscape');
 });
 
+pageTest('back leads to the start, and to what pushes, that were tried there', async (page) => {
+  await page.open('#robustness&v=1&from=1,0,90deg');
+  await page.click('#page-disturbance');
+  await page.until('what pushes is told', () => /under=/.test(location.hash));
+  await page.click('#page-curves');
+  await page.until('the curves are open', () => location.hash.startsWith('#curves'));
+  for (const tried of ['#disturbance&v=1&under=slip,0.1,0.2,1', '#robustness&v=1&from=1,0,90deg']) {
+    await page.evaluate(() => history.back());
+    await page.until(
+      tried,
+      (link) => document.body.dataset.open === /\w+/.exec(link)?.[0] && location.hash === link,
+      tried,
+    );
+  }
+});
+
 pageTest(
   'while evolution runs the address goes with it: who loads the page again loses little',
   async (page) => {
