@@ -14,6 +14,7 @@ import {
 } from '../kit/chart.js';
 import { extentOf } from '../kit/extent.js';
 import { drawAxisNames, drawNames, gutterOf, isNarrow, spreadBeside } from '../kit/names.js';
+import { dashes } from '../kit/palette.js';
 import { sigmas as words, lab } from '../words/index.js';
 import { createColumns } from './columns.js';
 import { drawShown, generationScale } from './fitness.js';
@@ -53,7 +54,11 @@ function drawSigmas(context, size, { history, generation, columns }) {
   drawGridOverWholes(context, axes, levels, levels.map(powerText));
   within(context, frame, () => {
     for (const [i, token] of tokens.entries())
-      drawCurve(context, pointsOf(axes, columns.generation, columns[gains[i]]), { token, width: 2 });
+      drawCurve(context, pointsOf(axes, columns.generation, columns[gains[i]]), {
+        token,
+        width: 2,
+        dash: dashes[token],
+      });
   });
   if (history.length === 1)
     for (const [i, token] of tokens.entries())

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { largestAt, pushesOf, pushesOver } from '../../../www/lesson/views/push-terms.js';
+import { dashes } from '../../../www/kit/palette.js';
 import { stepOf } from '../../../www/lesson/steps.js';
 import { engineTest, Key, pageTest } from '../harness/browsers.js';
 import { engine, linkOf, opened } from './links.js';
@@ -77,6 +78,22 @@ pageTest(
       () => document.querySelectorAll('.strip-curve[data-term="ky"]').length === 2,
     );
     assert.notEqual(await curve(), before);
+    const dashed = await page.evaluate(() =>
+      [...document.querySelectorAll('.strip-curve')].map((one) => [
+        one.getAttribute('data-term'),
+        one.getAttribute('stroke-dasharray'),
+      ]),
+    );
+    assert.deepEqual(dashed, [
+      ...[
+        ['kx', null],
+        ['ky', dashes['--y'].join(' ')],
+      ],
+      ...[
+        ['ky', dashes['--y'].join(' ')],
+        ['kx', null],
+      ],
+    ]);
     const lit = await page.evaluate(() => {
       document
         .querySelector('#lesson .formula mrow[data-term="ky"]')

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { dashes } from '../../../www/kit/palette.js';
 import { layoutOf } from '../../../www/parts/curves/layout.js';
 import { Evolution, experiment, simulate } from '../harness/core.js';
 import { test } from '../harness/once.js';
@@ -138,6 +139,14 @@ pageTest('σ over the generations is told with the numbers of the core', async (
   const newest = evolution.statistics().meanSigmas;
   await page.click('#curve-choice-sigmas');
   await page.focus('#one-generation');
+  await page.evaluate(() => {
+    const { setLineDash } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.setLineDash = function (dash) {
+      const { dataset } = this.canvas;
+      dataset.dashes = `${dataset.dashes ?? ''} ${this.strokeStyle}:${dash}`;
+      setLineDash.call(this, dash);
+    };
+  });
   await page.press(...Array(6).fill(Key.ENTER));
   const label = await page.evaluate(async () => {
     const visible =
@@ -147,6 +156,18 @@ pageTest('σ over the generations is told with the numbers of the core', async (
   });
   for (const token of ['--x', '--y', '--theta'])
     assert.ok((await pixelsOf(page, '#sigmas canvas', token)) > 40, token);
+  const drawn = await page.evaluate(() => {
+    const style = getComputedStyle(document.documentElement);
+    const all = /** @type {HTMLElement} */ (document.querySelector('#sigmas canvas')).dataset.dashes ?? '';
+    return ['--x', '--y', '--theta'].map(
+      (token) =>
+        all
+          .split(' ')
+          .find((one) => one.startsWith(style.getPropertyValue(token)))
+          ?.split(':')[1],
+    );
+  });
+  assert.deepEqual(drawn, Object.values(dashes).map(String));
   const digits = (/** @type {number} */ value) => String(Number(value.toPrecision(3)));
   const told = ['kx', 'ky', 'kθ'].map(
     (name, i) => `${name} from ${digits(first[i])} to ${digits(newest[i])}`,

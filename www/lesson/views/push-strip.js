@@ -1,13 +1,14 @@
 // The pushes over the whole drive, which are its clock: v above ω against time, and a cursor that moves the robots.
 import { bisectRight } from 'd3-array';
 import { scaleLinear } from 'd3-scale';
-import { html, render, svg } from 'lit-html';
+import { html, nothing, render, svg } from 'lit-html';
 import { live as liveValue } from 'lit-html/directives/live.js';
 import { pointsOf, ticksOn } from '../../kit/chart.js';
 import { create, followSize } from '../../kit/elements.js';
 import { extentOf } from '../../kit/extent.js';
 import { remember, watch } from '../../kit/memo.js';
 import { standingFree } from '../../kit/names.js';
+import { dashes } from '../../kit/palette.js';
 import { lab } from '../../words/index.js';
 import { fixed } from '../../words/numbers.js';
 import { pushesOver, reach } from './push-terms.js';
@@ -28,6 +29,8 @@ const classes = /** @type {Record<string, string>} */ ({
   kt: 'of-theta',
   moving: 'of-moving',
 });
+const dashOf = (/** @type {string} */ term) =>
+  dashes[classes[term].replace('of-', '--')]?.join(' ') || nothing;
 const symbols = /** @type {const} */ ({ linear: ['v', 'of-energy'], angular: ['ω', 'of-omega'] });
 
 /** @param {Tools} tools @param {StripWords} words */
@@ -119,7 +122,7 @@ const halfOf = ({ name, colour, axes: { frame, y }, limits, ticks, asked, curves
   ${ticks.map((tick) => svg`<path class="strip-grid" d=${across(frame, y(tick))} />`)}
   ${limits.map((at) => svg`<path class="strip-limit" d=${across(frame, y(at))} />`)}
   <path class=${`strip-asked ${colour}`} data-term=${asked.term} d=${asked.path} />
-  ${curves.map(({ term, path }) => svg`<path class=${`strip-curve ${classes[term]}`} data-term=${term} d=${path} />`)}
+  ${curves.map(({ term, path }) => svg`<path class=${`strip-curve ${classes[term]}`} data-term=${term} stroke-dasharray=${dashOf(term)} d=${path} />`)}
   <text class=${`strip-name ${colour}`} x="2" y=${frame.top + 16}>${name}</text>
   ${standingFree(ticks.map(y)).map((i) => numberAt(ticks[i], y(ticks[i])))}`;
 
