@@ -93,7 +93,7 @@ pageTest('at the cursor V, its rate and the three parts of the law are those of 
   }
   assert.match(
     await note(page),
-    /^V falls all the way, from 4\.29 to 0\.00125\. Grey: for 1\.14 s limits cut the command, and V̇ robot is not V̇ law\.$/,
+    /^V falls all the way, from 4\.29 to 0\.00125\. Under the bar on top: for 1\.14 s limits cut the command, and V̇ robot is not V̇ law\.$/,
   );
   assert.deepEqual(await page.problems(), []);
   assert.deepEqual(await page.obstacles(), []);
@@ -122,6 +122,12 @@ for (const isLog of [false, true])
         const wrong = points.map((point) => ({ ...point, y: point.y - 14 }));
         assert.ok((await coloured(page, '#stability-lines', wrong)) <= 1, `${name} is elsewhere too`);
       }
+      // Where limits cut the command a bar says so, on top.
+      const top = samples.map((i) => ({ x: time(ep.time[i]), y: lyapunov.frame.top + 1, token: '--muted' }));
+      assert.equal(
+        await coloured(page, '#stability-lines', top),
+        samples.filter((i) => ep.limited[i]).length,
+      );
       // Between the robot's rate and what x_e promises there is blue.
       const tint = await pixelsAt(
         page,
@@ -184,7 +190,7 @@ pageTest('a gain below zero is moved here, and V rises in sight', async (page) =
   const rising = run.lyapunov.reduce((sum, value, i) => sum + (value < run.lyapunov[i + 1] ? 0.01 : 0), 0);
   const said = await note(page);
   assert.match(said, /The part of yₑ is above zero, because ky is negative: the law itself drives V up\./);
-  const told = /rises \(red\) for ([\d.]+) of 10\.00 s/.exec(said);
+  const told = /rises \(thick, marked below\) for ([\d.]+) of 10\.00 s/.exec(said);
   assert.ok(Math.abs(Number(told?.[1]) - rising) < 0.02, `${told?.[1]} s, not ${rising}`);
   assert.ok((await pixelsOf(page, '#stability-lines', '--error')) > 200);
 

@@ -40,7 +40,7 @@ Do velocity limits close that gap? From the paper’s own start it looks so: wit
       choices: ['In fewer than 10', 'In 10 to 50', 'In more than half'],
       /** @param {{ drives: number, starts: number }} outcome */
       why: ({ drives, starts }) =>
-        `In ${drives} of ${starts}. In the drive on the plane, from yet another start, it rises too: look at the red marks under {V}.`,
+        `In ${drives} of ${starts}. In the drive on the plane, from yet another start, it rises too: where the line of {V} is thick, with marks below.`,
     },
     brakes: {
       question:

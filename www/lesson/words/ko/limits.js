@@ -40,7 +40,7 @@ export const limits = {
       choices: ['10번 미만', '10~50번', '절반이 넘는다'],
       /** @param {{ drives: number, starts: number }} outcome */
       why: ({ drives, starts }) =>
-        `${starts}번 중 ${drives}번입니다. 평면의 주행은 이들과 출발점이 다르지만 역시 그런 주행입니다. {V} 아래의 빨간 표시를 보십시오.`,
+        `${starts}번 중 ${drives}번입니다. 평면의 주행은 이들과 출발점이 다르지만 역시 그런 주행입니다. {V}의 선이 굵은 곳과 그 아래의 표시를 보십시오.`,
     },
     brakes: {
       question: '이득 10, 10, 10은 속도만 제한할 때 일찍 도착합니다. 이제 가속도도 제한하면 언제 도착합니까?',

@@ -6,7 +6,7 @@ import { extentOf } from '../../../kit/extent.js';
 import { rememberEach } from '../../../kit/memo.js';
 import { endOf } from '../axes.js';
 
-/** @typedef {{ token: string, from: Float64Array, to: Float64Array }} Area A part of V̇ between two edges. */
+/** @typedef {{ part: number, token: string, from: Float64Array, to: Float64Array }} Area A part of V̇ between two edges; 0, 1, 2 for the three gains. */
 /** @typedef {{ rate: Float64Array, promised: Float64Array, areas: Area[] }} Drawn */
 /** @typedef {{ time: Scale, lyapunov: Axes, rate: Axes, isLog: boolean }} Layout */
 
@@ -61,7 +61,7 @@ function drawn({ lyapunov, rate, promisedX, promisedY, promisedTheta }, isLog) {
   const areas = parts.flatMap((values, p) => {
     if (!signs[p]) return [];
     const below = parts.slice(0, p).filter((_, other) => signs[other] === signs[p]);
-    return [{ token: tokens[p], from: sumOf(below), to: sumOf([...below, values]) }];
+    return [{ part: p, token: tokens[p], from: sumOf(below), to: sumOf([...below, values]) }];
   });
   return { rate: scaled(rate), promised: sumOf(parts), areas };
 }

@@ -25,6 +25,7 @@ import { sampleBefore } from '../../../lab/track.js';
 import { colour } from '../../../kit/palette.js';
 import words from './words/index.js';
 import { drawnOf, layoutOf, rangeOf } from './layout.js';
+import { drawPartNames } from './part-names.js';
 import { risesOf } from './summary.js';
 
 /**
@@ -72,7 +73,7 @@ function drawLyapunov(context, { lyapunov: axes, isLog }, model) {
   const { driving, law } = model;
   drawTicks(context, axes, isLog);
   within(context, axes.frame, () => {
-    drawLimited(context, axes, driving);
+    drawLimited(context, axes, driving, 3);
     for (const { run, token, dash, width, slot } of linesOf(model)) {
       strokeThrough(context, pointsOf(axes, run.time, run.lyapunov), {
         token: token ?? '--ink',
@@ -120,22 +121,26 @@ function drawRate(context, { rate: axes, isLog }, driving) {
       });
     strokeThrough(context, pointsOf(axes, driving.time, rate), { token: '--ink', width: 2.25 });
   });
+  drawPartNames(context, axes, driving.time, areas);
   drawName(context, axes, rate[driving.time.length - 1], isLog ? words.relative : '');
 }
 
-/** Where the limits cut the command. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Stability} driving */
-function drawLimited(context, { x: across, frame }, { time, limited }) {
-  context.fillStyle = colour('--ink');
-  context.globalAlpha = 0.06;
+/** Where the limits cut the command: grey, and above V a bar, for grey so pale is lost on a projector. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Stability} driving @param {number} [bar] */
+function drawLimited(context, { x: across, frame }, { time, limited }, bar = 0) {
   for (let from = 0; from < time.length; from += 1) {
     if (!limited[from]) continue;
     let to = from;
     while (to + 1 < time.length && limited[to]) to += 1;
     const [left, right] = [across(time[from]), across(time[to])];
-    context.fillRect(left, frame.top, Math.max(0, right - left), frame.bottom - frame.top);
+    const wide = Math.max(0, right - left);
+    context.globalAlpha = 0.06;
+    context.fillStyle = colour('--ink');
+    context.fillRect(left, frame.top, wide, frame.bottom - frame.top);
+    context.globalAlpha = 1;
+    context.fillStyle = colour('--muted');
+    context.fillRect(left, frame.top, wide, bar);
     from = to;
   }
-  context.globalAlpha = 1;
 }
 
 /** Where V rises, over its line, and below it, where a short rise is seen, too. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Stability} driving */

@@ -50,7 +50,8 @@ export const noteText = (summary) =>
 function valueText({ from, to, rising, seconds }) {
   if (from === 0 && to === 0) return 'V is 0: the robot is at its goal from the start.';
   const ends = `from ${threeDigits(from)} to ${threeDigits(to)}`;
-  if (rising > 0) return `V goes ${ends} and rises (red) for ${fixed(rising, 2)} of ${fixed(seconds, 2)} s.`;
+  if (rising > 0)
+    return `V goes ${ends} and rises (thick, marked below) for ${fixed(rising, 2)} of ${fixed(seconds, 2)} s.`;
   return to < 0.01 * from ? `V falls all the way, ${ends}.` : `V never rises: it goes ${ends}.`;
 }
 
@@ -80,7 +81,7 @@ function limitsText({ limited, disturbed, isPromised, isLaw }) {
       : isLaw
         ? 'No limit cuts the command: V̇ robot is V̇ law.'
         : 'No limit cuts the command, but where the law would divide by 0 it is guarded: there V̇ robot is not V̇ law.';
-  return `Grey: for ${fixed(limited, 2)} s limits cut the command, and V̇ robot is not V̇ law. ${pushed}`.trim();
+  return `Under the bar on top: for ${fixed(limited, 2)} s limits cut the command, and V̇ robot is not V̇ law. ${pushed}`.trim();
 }
 
 /** @param {Summary} summary */

@@ -48,7 +48,7 @@ function valueText({ from, to, rising, seconds }) {
   if (from === 0 && to === 0) return 'V는 0입니다. 로봇이 처음부터 목표에 있습니다.';
   const ends = `${threeDigits(from)} → ${threeDigits(to)}`;
   if (rising > 0)
-    return `V는 ${fixed(seconds, 2)}초 중 ${fixed(rising, 2)}초 동안 커집니다(빨간색). 처음 → 마지막: ${ends}.`;
+    return `V는 ${fixed(seconds, 2)}초 중 ${fixed(rising, 2)}초 동안 커집니다(굵은 선, 아래에 표시). 처음 → 마지막: ${ends}.`;
   return to < 0.01 * from ? `V는 끝까지 줄어듭니다(${ends}).` : `V는 한 번도 커지지 않습니다(${ends}).`;
 }
 
@@ -74,7 +74,7 @@ function limitsText({ limited, disturbed, isPromised, isLaw }) {
       : isLaw
         ? '명령이 제한에 걸리지 않으므로 실제 V̇는 이론 V̇와 같습니다.'
         : '명령이 제한에 걸리지는 않지만, 0으로 나누게 되는 곳에서는 법칙 대신 정해 둔 값을 씁니다. 그곳에서는 실제 V̇가 이론 V̇와 다릅니다.';
-  return `회색: ${fixed(limited, 2)}초 동안 명령이 제한에 걸려 실제 V̇가 이론 V̇와 다릅니다. ${pushed}`.trim();
+  return `위쪽 막대 아래: ${fixed(limited, 2)}초 동안 명령이 제한에 걸려 실제 V̇가 이론 V̇와 다릅니다. ${pushed}`.trim();
 }
 
 /** @param {Summary} summary */
