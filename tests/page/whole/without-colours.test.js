@@ -2,11 +2,13 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { dashes } from '../../../www/kit/palette.js';
+import { layoutOf } from '../../../www/parts/curves/layout.js';
+import { placesApart } from '../../../www/parts/curves/plot-names.js';
 import { linesOf } from '../../../www/parts/curves/plots.js';
 import { drawnOf, layoutOf as stabilityLayoutOf } from '../../../www/parts/curves/stability/layout.js';
 import { roomIn } from '../../../www/parts/curves/stability/part-names.js';
 import { styles } from '../../../www/run/pins.js';
-import { experiment, paperGains, stability } from '../harness/core.js';
+import { experiment, paperGains, simulate, stability } from '../harness/core.js';
 import { test } from '../harness/once.js';
 
 const usual = experiment('velocity-limits');
@@ -62,6 +64,32 @@ test('a name of a gain lies whole within its part of V̇, and none stands where 
     drawnOf(still, false).areas.map((area) => roomIn(rate, still.time, area)),
     [null],
   );
+});
+
+test('where x and y end as one, each has its name beside its own line, where the lines are apart', () => {
+  const there = { x: 2, y: 2, theta: Math.PI / 4 };
+  for (const [start, goal, count] of /** @type {const} */ ([
+    [{ x: 0, y: 0, theta: 0 }, there, 2],
+    [{ x: 0, y: 2, theta: 0.1 }, there, 2],
+    // They are one all the way.
+    [{ x: 0, y: 0, theta: Math.PI / 4 }, there, 0],
+    // They end apart.
+    [{ x: 0, y: 0, theta: 0 }, { ...there, y: 1 }, 0],
+  ])) {
+    const run = simulate({ ...usual, starts: [start], goal }, [3, 8, 5]);
+    for (const height of [330, 700]) {
+      const { time, plots } = layoutOf({ width: 560, height }, run, [], usual.limits);
+      const { scale: y, frame } = plots[0];
+      const places = placesApart({ x: time, y, frame }, run);
+      assert.equal(places.length, count, `${JSON.stringify([start, goal])} at ${height}`);
+      for (const { symbol, x: px, y: py } of places) {
+        const i = run.time.findIndex((at) => time(at) >= px - 8);
+        const [own, other] = [run.x, run.y].map((values) => Math.abs(y(values[i]) - py));
+        assert.ok(symbol === 0 ? own < other : other < own, `${own} from x, ${other} from y`);
+        assert.ok(py >= frame.top && py <= frame.bottom && px >= frame.left && px <= frame.right);
+      }
+    }
+  }
 });
 
 test('no sentence of the curves, nor of the steps beside them, names what it means by a colour', () => {

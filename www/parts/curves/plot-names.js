@@ -1,7 +1,10 @@
 // What the lines of a plot are called, at their ends and in their colours.
 /** @import { Run } from '../../core/engine.js' */
+/** @import { Axes } from '../../kit/chart.js' */
 /** @import { Column, Plot, PlotName } from './layout.js' */
-import { symbolFont, textFont } from '../../kit/lettering.js';
+import { fillTextWithHalo } from '../../kit/canvas.js';
+import { setLettering, symbolFont, textFont } from '../../kit/lettering.js';
+import { colour } from '../../kit/palette.js';
 import { drawText } from '../drawing.js';
 import { rememberEach } from '../../kit/memo.js';
 import { labelHeight, spread } from '../../kit/names.js';
@@ -49,6 +52,46 @@ export function drawNames(context, plot, run) {
   const wide = Math.max(...symbols.map(({ text }) => context.measureText(text).width));
   const middle = symbols.reduce((sum, { y }) => sum + y, 0) / symbols.length;
   drawText(context, words.units[name], px + wide + 5, middle);
+}
+
+/** The sample at which x and y are farthest apart. */
+export const widestGap = rememberEach((/** @type {Run} */ { x, y }) => {
+  let [widest, at] = [0, 0];
+  for (let i = 0; i < x.length; i += 1) {
+    const gap = Math.abs(x[i] - y[i]);
+    if (gap > widest) [widest, at] = [gap, i];
+  }
+  return at;
+});
+
+/** Where x and y stand when their lines end as one and part before; beside them, on the far side. @param {Axes} axes @param {Run} run @returns {{ symbol: number, x: number, y: number }[]} */
+export function placesApart({ x, y, frame }, run) {
+  const heightsAt = (/** @type {number} */ i) => [run.x, run.y].map((values) => y(values[i]));
+  const apart = (/** @type {readonly number[]} */ [one, other]) => Math.abs(one - other);
+  const at = widestGap(run);
+  const heights = heightsAt(at);
+  // Ends that are seen apart are told by their names there.
+  if (apart(heightsAt(run.time.length - 1)) > 8 || !(apart(heights) >= 4)) return [];
+  // Between the lines where both have room there.
+  const away = apart(heights) > 3 * labelHeight ? -10 : 10;
+  const px = Math.min(Math.max(x(run.time[at]), frame.left + 8), frame.right - 8);
+  return heights.map((height, symbol) => {
+    const py = height + (height < heights[1 - symbol] ? -away : away);
+    return { symbol, x: px, y: Math.min(Math.max(py, frame.top), frame.bottom) };
+  });
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Run} run */
+export function drawNamesApart(context, axes, run) {
+  for (const { symbol, x, y } of placesApart(axes, run)) {
+    const token = tokens.position[symbol];
+    setLettering(context, { token, font: symbolFont, align: 'center' });
+    fillTextWithHalo(context, words.symbols.position[symbol], x, y, {
+      fill: colour(token),
+      halo: colour('--paper'),
+      width: 3,
+    });
+  }
 }
 
 /** @param {Plot} plot @param {Run} run @returns {Name[]} */

@@ -24,7 +24,7 @@ import { rememberEach } from '../../kit/memo.js';
 import words from './words/index.js';
 import { drawTimeAxis, ticksUp, timeTicks } from './axes.js';
 import { curvesOf, extentsOf, layoutOf } from './layout.js';
-import { drawNames, parts, tokens } from './plot-names.js';
+import { drawNames, drawNamesApart, parts, tokens, widestGap } from './plot-names.js';
 import { createReady } from './ready.js';
 
 /** @template [R=Run] @typedef {{ run: R, token: string | null, dash: readonly number[], width: number, slot: number | null }} Line Without a token: in the colour of what is drawn. */
@@ -51,11 +51,12 @@ const curvesReady = createReady((/** @type {Run} */ run) =>
   Object.values(extentsOf).map((extent) => () => extent(run)),
 );
 /** What the run on screen has besides. */
-const partsReady = createReady((/** @type {Run} */ run) =>
-  [...parts.map(([, , column]) => column), ...Object.values(commands)].map(
+const partsReady = createReady((/** @type {Run} */ run) => [
+  () => widestGap(run),
+  ...[...parts.map(([, , column]) => column), ...Object.values(commands)].map(
     (column) => () => outlineOf(column(run)),
   ),
-);
+]);
 
 /** @type {Plots<PlotsModel, Layout>} */
 export const plotsOverTime = {
@@ -105,6 +106,7 @@ function drawPlot(context, layout, plot, model) {
     for (const line of linesOf(model)) drawLine(context, layout, plot, line);
   });
   drawNames(context, plot, model.driving);
+  if (name === 'position') drawNamesApart(context, axes, model.driving);
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Plot} plot */
