@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
+import { askedAlpha } from '../../../www/parts/curves/plots.js';
 import { test } from '../harness/once.js';
 
 const sheet = readFileSync(new URL('../../../www/kit/style.css', import.meta.url), 'utf8');
@@ -68,5 +69,22 @@ test('what is not reached on a map is no bright area in the dark, and what stand
     const of = (/** @type {string} */ name) => /** @type {number[]} */ (colours.get(name));
     assert.ok(contrast(of('unreached'), of('on-unreached')) >= 4.9);
     if (isDark) assert.ok(contrast(of('unreached'), of('ink')) > 4.5, 'in the dark it is no bright area');
+  }
+});
+
+test('what the law asked for is seen on paper, though its line is thin', () => {
+  /** As the screen mixes them, which is not by their light. @param {number} part */
+  const codeOf = (part) => (part <= 0.0031308 ? 12.92 * part : 1.055 * part ** (1 / 2.4) - 0.055);
+  const lightOf = (/** @type {number} */ code) =>
+    code <= 0.04045 ? code / 12.92 : ((code + 0.055) / 1.055) ** 2.4;
+  for (const css of [lit, dark.split('@media')[0]]) {
+    const colours = coloursOf(css);
+    const paper = /** @type {number[]} */ (colours.get('paper'));
+    for (const name of ['energy', 'omega']) {
+      const line = /** @type {number[]} */ (colours.get(name)).map((part, i) =>
+        lightOf(askedAlpha * codeOf(part) + (1 - askedAlpha) * codeOf(paper[i])),
+      );
+      assert.ok(contrast(line, paper) >= 3, `${name}: ${contrast(line, paper)}`);
+    }
   }
 });

@@ -144,11 +144,14 @@ const isHeld = (name) => name in commands;
 const pointsIn = (layout, plot, run, column) =>
   pointsOf(axesOf(layout, plot), run.time, column(run), isHeld(plot.name));
 
+/** Of a line that is thin besides. */
+export const askedAlpha = 0.7;
+
 /** What the law asked for, where the limits gave less. @param {CanvasRenderingContext2D} context @param {Layout} layout @param {Plot} plot @param {Run} run */
 function drawCommand(context, layout, plot, run) {
   const command = commands[plot.name];
   if (!command) return;
-  context.globalAlpha = 0.45;
+  context.globalAlpha = askedAlpha;
   const points = pointsIn(layout, plot, run, command);
   strokeThrough(context, points, { token: tokens[plot.name][0], width: 1.25 });
   context.globalAlpha = 1;

@@ -61,7 +61,7 @@ Do velocity limits close that gap? From the paper’s own start it looks so: wit
   notice: [
     'With acceleration limits the speed begins at 0 and climbs along a straight line: no command can start the wheels at once.',
     'In our Figure 7 the dotted robot has the arbitrary gains that the paper picked for these wheels, 30, 30, 30. It turns far beyond its goal and back, and never arrives. The paper’s does not turn so far: step 14 returns to this.',
-    'In the curves of {v} and {w} the faint line is what was asked for. Where the full line lies on it, the law itself drives; elsewhere the limit does.',
+    'In the curves of {v} and {w} the thin line is what was asked for. Where the thick line lies on it, the law itself drives; elsewhere the limit does.',
   ],
 };
 
