@@ -83,7 +83,8 @@ export const instead = ({ isOneFile }) => ({
   enforce: 'post',
   async generateBundle(_, bundle) {
     const page = bundle['index.html'];
-    if (page?.type !== 'asset') return;
+    // A page of somebody else's has no place for them.
+    if (page?.type !== 'asset' || !place.test(String(page.source))) return;
     const { linked, inside, pages } = await writeInstead();
     // From a disk a browser loads no style that asks for the rights of another site.
     const html = String(page.source).replace(/<link rel="stylesheet" crossorigin/g, '<link rel="stylesheet"');

@@ -4,7 +4,7 @@ import { basename, dirname, join } from 'node:path';
 import { Failure, top } from './run.mjs';
 
 /** @typedef {import('../tests/page/harness/engines.js').EngineName} EngineName */
-/** A process, the files that it takes one after the other, and what it is told; some share their files. @typedef {{ files: string[], env: Record<string, string> }} Lane */
+/** A process, the files that it takes one after the other, and what it is told; some share their files, and what is left of others' another takes after its own. @typedef {{ files: string[], env: Record<string, string>, after?: Lane }} Lane */
 
 const folder = join('tests', 'page');
 
@@ -81,10 +81,11 @@ export function lanesOf(engines, files, late) {
   });
   // Who waits for late frames leaves the machine to others.
   const atOnce = !first ? 0 : late > 0 ? 4 : 2;
-  const shared = sorted(having(files, 'page'));
+  const page = { files: sorted(having(files, 'page')), env: browser('page', first) };
+  const after = late > 0 ? page : undefined;
   return [
     { files: having(files, 'logic'), env: { PAGE_TESTS: 'logic' } },
-    ...Array.from({ length: atOnce }, () => ({ files: shared, env: browser('page', first) })),
-    ...engines.map((engine) => ({ files: having(files, 'engine'), env: browser('engine', engine) })),
+    ...Array.from({ length: atOnce }, () => page),
+    ...engines.map((engine) => ({ files: having(files, 'engine'), env: browser('engine', engine), after })),
   ];
 }

@@ -166,27 +166,27 @@ function testTypes() {
 
 /** @param {Parameters<typeof lanesOf>} lanes */
 function testPage(...lanes) {
+  return step('tests of the built page in real browsers', () => together(lanesOf(...lanes).map(runLane)));
+}
+
+/** @param {import('./page-tests.mjs').Lane} lane */
+async function runLane({ files, env, after }) {
+  let isDone = false;
+  /** @type {Record<string, number>} */
+  const seconds = {};
+  let [file, began] = ['', 0];
+  const next = () => {
+    const now = performance.now();
+    if (file !== '') seconds[file] = (now - began) / 1000;
+    [file, began] = [files.shift() ?? '', now];
+    isDone = file === '';
+    return file;
+  };
   const every = join('tests', 'page', 'harness', 'every.js');
-  return step('tests of the built page in real browsers', () =>
-    together(
-      lanesOf(...lanes).map(async ({ files, env }) => {
-        let isDone = false;
-        /** @type {Record<string, number>} */
-        const seconds = {};
-        let [file, began] = ['', 0];
-        const next = () => {
-          const now = performance.now();
-          if (file !== '') seconds[file] = (now - began) / 1000;
-          [file, began] = [files.shift() ?? '', now];
-          isDone = file === '';
-          return file;
-        };
-        await counted(process.execPath, ['--test-reporter=spec', every], { env, next });
-        if (env.PAGE_TESTS === 'page') keepSeconds(seconds);
-        if (!isDone) throw new Failure('a process of tests ended before its files were done');
-      }),
-    ),
-  );
+  await counted(process.execPath, ['--test-reporter=spec', every], { env, next });
+  if (env.PAGE_TESTS === 'page') keepSeconds(seconds);
+  if (!isDone) throw new Failure('a process of tests ended before its files were done');
+  if (after && after.files.length > 0) await runLane(after);
 }
 
 /**

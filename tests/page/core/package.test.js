@@ -9,7 +9,7 @@ import { top } from '../../../.tasks/run.mjs';
 import { openLink } from '../../../src/link.js';
 import { pageNames } from '../../../www/parts/parts.js';
 import { noStep, unknownPart } from '../../../www/words/en/link.js';
-import { engineTest } from '../harness/browsers.js';
+import { engineTest, pageTest } from '../harness/browsers.js';
 import { Evolution, evaluate, experiment, landscape, simulate, version, wasm } from '../harness/core.js';
 import { onceOnly, test } from '../harness/once.js';
 import { serve } from '../harness/server.js';
@@ -260,11 +260,12 @@ test('a strict TypeScript project has the types of all of it', async () => {
   }
 });
 
-for (const [how, path] of [
-  ['in a plain page', 'plain/index.html'],
-  ['in a page that Vite bundled', 'bundled/dist/index.html'],
-]) {
-  engineTest(`${how} the README's example prints the core's numbers`, async (page) => {
+for (const [how, path, declare] of /** @type {const} */ ([
+  ['in a plain page', 'plain/index.html', engineTest],
+  // It is the same core that runs there.
+  ['in a page that Vite bundled', 'bundled/dist/index.html', pageTest],
+])) {
+  declare(`${how} the README's example prints the core's numbers`, async (page) => {
     await writePages();
     const site = await serve(project);
     try {

@@ -73,6 +73,12 @@
     if (frames > endless && !isDrawn()) throw new Error('drawing without end: each asks for the next');
   }
 
+  /** A frame of the engine, however late those of the page come, and all that comes of what the page hears in it. */
+  async function settled() {
+    await new Promise((resolve) => ask(() => setTimeout(resolve)));
+    await drawn();
+  }
+
   /** Whether nothing is to be drawn. */
   const areNone = () => asked.size === 0;
 
@@ -108,5 +114,5 @@
     };
   }
 
-  Object.defineProperty(window, 'pageFrames', { value: { drawn, areNone, setPace } });
+  Object.defineProperty(window, 'pageFrames', { value: { drawn, settled, areNone, setPace } });
 })();

@@ -6,10 +6,7 @@
  * @param {unknown[]} args
  */
 export function onceDrawn(body, args) {
-  const { pageFrames } = /** @type {{ pageFrames?: { drawn: () => Promise<void> } }} */ (
-    /** @type {unknown} */ (window)
-  );
-  if (!pageFrames) return body(...args);
+  if (!window.pageFrames) return body(...args);
   const there = async () => {
     await pageFrames.drawn();
     while (document.querySelector('.part-waits')) {

@@ -55,11 +55,18 @@ export class Page {
     await this.driver.get(blank);
     // A page that writes its address while it is being left makes WebKit's driver answer too early.
     this.#isOpen = true;
-    await this.until('the page is left', (address) => location.href === address, blank);
-    // What a tab keeps is not for the next test.
-    this.uncaught += await this.driver.executeScript(
-      'const uncaught = sessionStorage.getItem("uncaught") ?? ""; sessionStorage.clear(); return uncaught',
+    const { uncaught } = await this.until(
+      'the page is left',
+      (address) => {
+        if (location.href !== address) return null;
+        const uncaught = sessionStorage.getItem('uncaught') ?? '';
+        // What a tab keeps is not for the next test.
+        sessionStorage.clear();
+        return { uncaught };
+      },
+      blank,
     );
+    this.uncaught += uncaught;
   }
 
   /** A test that has opened nothing looks at the page. */
@@ -267,13 +274,7 @@ export class Page {
 
   /** Lets what moves on the page move so many times as fast, as long as it is open. @param {number} times */
   async setPace(times) {
-    await this.evaluate(
-      (pace) =>
-        /** @type {{ pageFrames: { setPace: (times: number) => void } }} */ (
-          /** @type {unknown} */ (window)
-        ).pageFrames.setPace(pace),
-      times,
-    );
+    await this.evaluate((pace) => pageFrames.setPace(pace), times);
   }
 
   /** What the page looks like, as a PNG. */

@@ -33,7 +33,8 @@ export async function resize(page, width, height) {
     else await setWindow(page, width - inner.width, height - inner.height);
     // The page learns its new size later than the window, and its pictures in the frame after that.
     await page.driver.executeScript(async (/** @type {typeof inner} */ old) => {
-      const frame = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+      const frame = () =>
+        window.pageFrames?.settled() ?? new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
       for (let i = 0; i < 30 && innerWidth === old.width && innerHeight === old.height; i++) await frame();
       await frame();
     }, inner);

@@ -48,7 +48,7 @@ async function overlaid() {
   // Pictures follow a new size within some frames, and lie as they will once nothing of them moves.
   let found = [''];
   for (let i = 0, still = 0; i < 60 && still < 4; i += 1) {
-    await new Promise((resolve) => requestAnimationFrame(resolve));
+    await pageFrames.settled();
     const now = flaws();
     still = String(now) === String(found) ? still + 1 : 0;
     found = now;
@@ -151,6 +151,7 @@ pageTest('where there is room for what is paid along the path, none of it lies o
 pageTest('where x_e and y_e are drawn, the corner in which they meet is on the plane', async (page) => {
   if (page.engine !== 'chromium') return;
   const withErrors = steps.filter(({ overlay }) => overlay);
+  let drawn = 0;
   try {
     await page.open('#lab&v=1');
     await surround(page, [1366, 768]);
@@ -168,7 +169,9 @@ pageTest('where x_e and y_e are drawn, the corner in which they meet is on the p
         return path ? Math.min(+x, clientWidth - +x, +y, clientHeight - +y) : null;
       });
       assert.ok(far === null || far > 16, `${name}: ${far} px within the edge`);
+      if (far !== null) drawn += 1;
     }
+    assert.ok(drawn >= withErrors.length, `y_e was drawn ${drawn} times`);
   } finally {
     await endSurrounding(page);
   }

@@ -96,13 +96,6 @@ pageTest('evolution stops at the first J below the one that is asked for', async
   assert.deepEqual(await readEvolution(page), seedOne(100));
 });
 
-pageTest('as fast as it goes it comes to the same generation 100', async (page) => {
-  await choose(page, 'pace', 'fastest');
-  await page.click('#run');
-  await rests(page);
-  assert.deepEqual(await readEvolution(page), seedOne(100));
-});
-
 pageTest(
   'where to stop is refused in sight when it is no number, and the last good one stays',
   async (page) => {

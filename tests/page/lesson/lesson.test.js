@@ -14,7 +14,7 @@ import { noProgress, noTally } from '../../../www/lesson/state.js';
 import { steps } from '../../../www/lesson/steps.js';
 import { named } from '../../../www/parts/parts.js';
 import { en as english, ko as korean } from '../harness/words.js';
-import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { Key, pageTest } from '../harness/browsers.js';
 import { driven, engine, linkOf, opened, samples } from './links.js';
 import { test } from '../harness/once.js';
 
@@ -158,12 +158,11 @@ test('turned wrong by 90° on the goal the robot turns on the spot, and only θe
 /** Presses within the page, one after the other, each seen drawn before the next. @param {Page} page @param {readonly string[]} selectors */
 const pressAll = (page, selectors) =>
   page.evaluate(async (all) => {
-    const frame = () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
     for (const selector of all) {
       const found = /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll(selector));
       if (found.length !== 1) throw new Error(`${selector} finds ${found.length} elements`);
       found[0].click();
-      await frame();
+      await pageFrames.settled();
     }
     return document.getElementById('lesson-title')?.textContent;
   }, selectors);
@@ -261,7 +260,7 @@ pageTest('the focus and the title of the page go with the step', async (page) =>
   assert.equal(await usual(), `${named.curves.name} · ${texts.pageTitle}`);
 });
 
-engineTest('a symbol that is pointed at lights up in formula and picture', async (page) => {
+pageTest('a symbol that is pointed at lights up in formula and picture', async (page) => {
   await page.open('#lesson&step=2');
   const lit = () =>
     page.evaluate(() => ({

@@ -39,7 +39,7 @@ async function flaws(selector) {
   const figure = /** @type {HTMLElement} */ (document.querySelector('.figure'));
   let found = [''];
   for (let i = 0, still = 0; i < 120 && still < 4; i += 1) {
-    await new Promise((resolve) => requestAnimationFrame(resolve));
+    await pageFrames.settled();
     const isComputing = document.querySelector('[aria-busy="true"], .part-waits') !== null;
     const now = [...outOfSight(), ...(isComputing ? [`still, ${i}`] : [])];
     still = String(now) === String(found) ? still + 1 : 0;

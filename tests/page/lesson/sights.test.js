@@ -12,7 +12,7 @@ const en = english.lesson;
 /** What one sees of the figure, and where it stands. @param {Page} page */
 const sight = (page) =>
   page.evaluate(async () => {
-    for (let i = 0; i < 2; i++) await new Promise((resolve) => requestAnimationFrame(resolve));
+    await pageFrames.settled();
     const figure = /** @type {HTMLElement} */ (document.querySelector('.figure'));
     const { top, bottom } = figure.getBoundingClientRect();
     const shown = ['plane', 'bowl', 'pushes', 'stability-picture', 'gains', 'sights'].filter((id) => {
@@ -54,6 +54,7 @@ pageTest('where there is no room beside the words, what they speak of stays over
 pageTest(
   'on a laptop every plane of the lesson is 300 pixels high, and the figure fits its window',
   async (page) => {
+    let planes = 0;
     for (const { name, stage } of steps) {
       await page.resize(1440, 900);
       await page.open(`#lesson&step=${name}`);
@@ -75,6 +76,7 @@ pageTest(
       });
       assert.ok(bottom <= 900, `${name} ends at ${bottom}`);
       assert.ok(plane === 0 || plane >= 300, `${name}: ${plane}`);
+      if (plane > 0) planes += 1;
       assert.equal(isStaged, stage !== undefined && !stage.after, name);
       const slipped = await page.evaluate(() => {
         const top = () => document.querySelector('.figure')?.getBoundingClientRect().top ?? 0;
@@ -97,6 +99,7 @@ pageTest(
       });
       assert.ok(Math.abs(apart) < 12, `${name}: the table is named ${apart} px under the generation`);
     }
+    assert.ok(planes >= 8, `${planes} steps have a plane`);
   },
 );
 

@@ -144,6 +144,7 @@ pageTest(
       /generation ([2-9]|1\d)/.test(document.querySelector('.park-climb figcaption')?.textContent ?? ''),
     );
     await toKorean(page);
+    await page.setPace(8);
     await page.until('it has come to its end', () => document.getElementById('park-between'));
     const { generation } = bred(1);
     const climb = await page.text('.park-climb figcaption');
@@ -153,11 +154,13 @@ pageTest(
 );
 
 pageTest('a link that is still being evolved is evolved to its end in the other language', async (page) => {
-  await page.open('#lab&v=1&population=300&horizon=60&generation=150');
+  await page.open('#lab&v=1&population=300&horizon=60&generation=12');
+  // So that it has not come to its end before it is left.
+  await holdWorkers(page);
   await toKorean(page);
   await page.until(
     'the generation of the link',
-    () => Number(document.getElementById('generation')?.textContent) === 150,
+    () => Number(document.getElementById('generation')?.textContent) === 12,
   );
 });
 

@@ -164,8 +164,7 @@ for (const language of /** @type {const} */ (['en', 'ko']))
     ])) {
       await page.resize(width, height);
       const found = await page.evaluate(async () => {
-        for (let frame = 0; frame < 2; frame += 1)
-          await new Promise((resolve) => requestAnimationFrame(resolve));
+        await pageFrames.settled();
         const { scrollWidth, scrollHeight } = document.documentElement;
         const high = (/** @type {string} */ one) =>
           document.querySelector(one)?.getBoundingClientRect().height ?? 0;

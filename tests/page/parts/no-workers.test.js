@@ -49,7 +49,7 @@ const said = (page, name, wanted, place = `section[data-page="${name}"]`) =>
 const refused = (page) =>
   page.evaluate(async () => {
     // After what comes of a failure was drawn.
-    for (let frame = 0; frame < 3; frame += 1) await new Promise(requestAnimationFrame);
+    await pageFrames.settled();
     return /** @type {{ refused: number }} */ (/** @type {unknown} */ (window)).refused;
   });
 

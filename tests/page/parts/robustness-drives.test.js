@@ -117,7 +117,7 @@ pageTest('on a laptop the map of starts is as large as the plane', async (page) 
   ]) {
     await page.resize(width, height);
     const [map, plane] = await page.evaluate(async () => {
-      for (let frame = 0; frame < 2; frame++) await new Promise((resolve) => requestAnimationFrame(resolve));
+      await pageFrames.settled();
       return ['robustness-map', 'plane'].map((id) => {
         const { width: wide, height: high } = /** @type {HTMLElement} */ (
           document.getElementById(id)

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { Key, pageTest } from '../harness/browsers.js';
 import { experiment } from '../harness/core.js';
 import { middleOf, read, readEvolution } from '../harness/reading.js';
 import {
@@ -147,7 +147,7 @@ pageTest('the keyboard moves the cursor from cell to cell and lets the robot dri
   assert.match(await readout(page), /^You watch the start at x 0.90 m, y −0.20 m/);
 });
 
-engineTest('the dial chooses one heading, of which the map shows the drives', async (page) => {
+pageTest('the dial chooses one heading, of which the map shows the drives', async (page) => {
   await openMap(page);
   await page.click('#robustness-headings-one');
   // The number stays that of all.

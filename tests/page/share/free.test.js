@@ -3,11 +3,11 @@ import assert from 'node:assert/strict';
 import { groupNames } from '../../../www/run/exercise.js';
 import { pageTest } from '../harness/browsers.js';
 import { samples } from '../parts/samples.js';
+import { follow } from '../whole/surround.js';
 import { views } from '../whole/views.js';
 
 /** Works every control that looks free, once, also those that come with it. Links are tried elsewhere. @param {string} part */
 async function workAll(part) {
-  const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
   const selector = 'button, input, select, summary, [tabindex="0"]';
   /** @type {Set<Element>} */
   const worked = new Set();
@@ -52,7 +52,7 @@ async function workAll(part) {
       if (element.id && element.closest(`section.${part}`)) own.push(element.id);
       if (element.isConnected) work(element);
     }
-    for (let i = 0; i < 3; i += 1) await frame();
+    await pageFrames.settled();
     if (reason.getAnimations().length > 0) found.push(some.map(nameOf).join(', '));
     for (const animation of reason.getAnimations()) animation.cancel();
   }
@@ -64,8 +64,10 @@ pageTest('where all is locked no control looks free that is not', async (page) =
   const flaws = [];
   /** @type {Set<string>} */
   const worked = new Set();
+  const locked = `lock=${groupNames.join(',')}&task=Stay`;
+  await page.open(`#lab&v=1&${locked}`);
   for (const view of views) {
-    await page.open(`#${view}&lock=${groupNames.join(',')}&task=Stay`);
+    await follow(page, `${view}&${locked}`);
     const part = view.split('&')[0];
     const { found, own } = await page.evaluate(workAll, part);
     flaws.push(...found.map((some) => `${view}: one of ${some} is not free`));

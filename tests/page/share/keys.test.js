@@ -234,7 +234,7 @@ pageTest('a presenter’s clicker goes from phase to phase where nothing else is
   assert.equal(await phaseAfter(Key.PAGE_UP), 'mutation');
 });
 
-engineTest('where a key writes Korean, it is known by its place', async (page) => {
+pageTest('where a key writes Korean, it is known by its place', async (page) => {
   await page.evaluate(() => {
     document.body.dispatchEvent(new KeyboardEvent('keydown', { key: 'ㅜ', code: 'KeyN', bubbles: true }));
   });

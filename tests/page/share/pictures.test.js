@@ -35,7 +35,7 @@ for (const { name, setUp, pictures } of shown)
         scrollTo(0, 0);
         // What moves has arrived, and is drawn.
         await Promise.all(document.getAnimations().map(({ finished }) => finished));
-        for (let i = 0; i < 3; i += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
+        await pageFrames.settled();
       });
       // WebKit's driver waits for a frame before it looks at the page, and one at rest makes none.
       const screen = page.engine === 'webkit' ? null : base64('image/png', await page.screenshot());

@@ -2,9 +2,8 @@
 
 /** Texts that lie on others or are cut, pictures without room, buttons too narrow to press. @returns {Promise<string[]>} */
 export async function cluttered() {
-  // Pictures follow a new size within some frames.
-  const later = () => new Promise((resolve) => requestAnimationFrame(resolve));
-  for (let i = 0; i < 3; i += 1) await later();
+  const later = () => pageFrames.settled();
+  await later();
   /** What cuts, by its element, of one look. @type {Map<Element, { overflowX: string, overflowY: string, textOverflow: string, room: DOMRect } | null>} */
   const cutting = new Map();
   // What a worker computes has its texts when it is there.

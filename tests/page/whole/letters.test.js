@@ -25,14 +25,14 @@ pageTest('with letters twice as large nothing lies on anything else beside the p
   });
   const [aside] = await excess(page);
   assert.ok(aside <= 0, `Training: ${aside} px`);
-  const overlaps = await page.evaluate(() => {
+  const { overlaps, seen } = await page.evaluate(() => {
     const boxes = ['head', 'controls', 'finding', 'table', 'pictures'].flatMap((name) => {
       const selector = name === 'head' ? '.training > .heading' : `.training-${name}`;
       const element = document.querySelector(selector);
       const inner = name === 'pictures' ? [...(element?.children ?? [])] : [];
       return [element, ...inner].map((one) => ({ name, box: one?.getBoundingClientRect() }));
     });
-    return boxes.flatMap((a, i) =>
+    const lying = boxes.flatMap((a, i) =>
       boxes.slice(i + 1).flatMap((b) => {
         if (a.name === b.name || !a.box || !b.box) return [];
         const wide = Math.min(a.box.right, b.box.right) - Math.max(a.box.left, b.box.left);
@@ -40,8 +40,13 @@ pageTest('with letters twice as large nothing lies on anything else beside the p
         return wide > 1 && high > 1 ? `${a.name} on ${b.name}` : [];
       }),
     );
+    return {
+      overlaps: lying,
+      seen: boxes.filter(({ box }) => box && box.height > 0).map(({ name }) => name),
+    };
   });
   assert.deepEqual(overlaps, []);
+  assert.deepEqual([...new Set(seen)], ['head', 'controls', 'finding', 'table', 'pictures']);
 });
 
 pageTest('with letters twice as large no choice of the contest cuts its words', async (page) => {

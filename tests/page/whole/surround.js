@@ -31,13 +31,12 @@ export const follow = (page, link) =>
     const opened = new Promise((resolve) => addEventListener('popstate', resolve, { once: true }));
     location.replace(hash);
     await opened;
-    for (let i = 0; i < 2; i += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
   }, `#${link}`);
 
 /** How far the page can be scrolled, to the right and down, once it has its new size. @param {Page} page */
 export const excess = (page) =>
   page.evaluate(async () => {
-    for (let frame = 0; frame < 2; frame++) await new Promise((resolve) => requestAnimationFrame(resolve));
+    await pageFrames.settled();
     const { scrollWidth, scrollHeight } = document.documentElement;
     return [scrollWidth - innerWidth, scrollHeight - innerHeight];
   });

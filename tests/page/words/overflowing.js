@@ -15,12 +15,12 @@ export const overflowing = (page, where) =>
       for (const [width, height] of order) {
         Object.assign(/** @type {object} */ (frameElement), { width, height });
         // The page learns its size, then draws for it.
-        for (let i = 0; i < 3; i += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
+        await pageFrames.settled();
         lengthen(own.longer);
         // Pictures follow the new size within some frames.
         let found = [...whatHasNoPlace(width)];
         for (let i = 0; i < 30 && found.length > 0; i += 1) {
-          await new Promise((resolve) => requestAnimationFrame(resolve));
+          await pageFrames.settled();
           found = [...whatHasNoPlace(width)];
         }
         for (const problem of found) problems.push(`${place} at ${width} × ${height}: ${problem}`);

@@ -1,0 +1,9 @@
+/** What frames.js gives a page under test; pages of others have none. */
+declare var pageFrames: {
+  /** When the page has drawn what happened. */
+  drawn(): Promise<void>;
+  /** A frame later, in which the page hears of its new size, and when it has drawn what comes of that. */
+  settled(): Promise<void>;
+  areNone(): boolean;
+  setPace(times: number): void;
+};
