@@ -48,10 +48,11 @@ def encoded(value, depth=_DEEPEST):
     """A value in bytes. Arrays of numpy, series of pandas and the like count as the lists that they are."""
     if depth == 0:
         raise ValueError("what is given must be nested less deeply")
+    if getattr(value, "shape", None) == () and hasattr(value, "item"):
+        # What is masked has no number, but an item.
+        value = getattr(value, "tolist", value.item)()
     if value is None:
         return _NULL
-    if getattr(value, "shape", None) == () and hasattr(value, "item"):
-        value = value.item()
     if isinstance(value, bool):
         return _TRUE if value else _FALSE
     if isinstance(value, Real):
@@ -156,7 +157,7 @@ def encoded_gains(gains):
     if numpy is not None and isinstance(gains, numpy.ndarray):
         if gains.ndim not in (1, 2) or gains.shape[-1] != 3:
             raise ValueError(_wrong(f"an array of shape {gains.shape}"))
-        if gains.dtype.kind in "fiu":
+        if gains.dtype.kind in "fiu" and not numpy.ma.is_masked(gains):
             data = numpy.ascontiguousarray(gains, "<f8").tobytes()
             answer = numpy.array if gains.ndim == 2 else _single
             return _counted(_COLUMN, gains.size, data), answer

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { areBuilt } from '../../../.tasks/examples.mjs';
 import * as core from '../harness/core.js';
 import { test } from '../harness/once.js';
-import { askPython } from './python.js';
+import { askPython, valuesFrom } from './python.js';
 
 const options = { skip: !areBuilt() && 'npm test builds the wheel where Python is' };
 
@@ -73,6 +73,35 @@ test('gains of every wrong shape are refused by name', options, () => {
     assert.equal(answers[i].error, 'ValueError', gains);
     assert.match(String(answers[i].message), message, gains);
   });
+});
+
+test('what is masked is missing, whatever number stands under the mask', options, () => {
+  if (valuesFrom([{ expression: 'numpy is None' }])[0]) return;
+  const row = 'numpy.ma.array([3, 0.1, 5], mask=[0, 1, 0])';
+  const table = 'numpy.ma.array([[10, 10, 10], [3, 0.1, 5]], mask=[[0, 0, 0], [0, 1, 0]])';
+  const kinds = "dtype=[('kx', float), ('ky', float), ('ktheta', float)]";
+  /** @type {readonly (readonly [string, RegExp])[]} */
+  const rows = [
+    [`ep.evaluate({}, ${table})`, /^ky .*must be a number, but was null$/],
+    [`ep.evaluate({}, ${row})`, /^ky must be a number, but was null$/],
+    [`ep.evaluate({}, [list(${row})])`, /^ky must be a number, but was null$/],
+    [`ep.evaluate({}, numpy.ma.array([(3, 0.1, 5)], mask=[(0, 1, 0)], ${kinds}))`, /^ky must be .* null$/],
+    [`ep.simulate({}, ${row})`, /^ky must be a number, but was null$/],
+    [`ep.EpLocomotion(gains=${row}).gains`, /^ky must be a finite number, but was None$/],
+    [`ep.Task({'starts': [list(${row})]}).experiment`, /^starts\[0\]\.y must be .*, but was null$/],
+    ["ep.Task({'goal': {'x': numpy.ma.masked}}).experiment", /^goal\.x must be .*, but was null$/],
+  ];
+  const answers = askPython(rows.map(([expression]) => ({ expression })));
+  rows.forEach(([expression, message], i) => {
+    assert.equal(answers[i].error, 'ValueError', expression);
+    assert.match(String(answers[i].message), message, expression);
+  });
+  const costs = [...core.evaluate({}, [10, 10, 10, 3, 0.1, 5])];
+  const [none, scalars] = valuesFrom([
+    { expression: 'ep.evaluate({}, numpy.ma.array([[10, 10, 10], [3, 0.1, 5]]))' },
+    { expression: 'ep.evaluate({}, [[numpy.array(10)] * 3, [3, numpy.float64(0.1), numpy.int64(5)]])' },
+  ]);
+  assert.deepEqual([none, scalars], [{ array: costs }, costs]);
 });
 
 test('a table of starts has rows of three numbers, or is refused by name', options, () => {
