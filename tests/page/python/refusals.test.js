@@ -53,7 +53,11 @@ test('gains of every wrong shape are refused by name', options, () => {
     ['[1, 2]', /^gains must be three numbers .* but was an array of 2$/],
     ['[[1, 2, 3], [1, 2]]', /^gains\[1\] must be three numbers .* but was an array of 2$/],
     ['[[1, 2, 3], 5]', /^gains\[1\] must be three numbers .* but was of type int$/],
-    ['[[1, 2, 3], [1, 2, math.nan]]', /^kθ \(gains\[5\]\) must be a finite number, but was NaN$/],
+    ['[[1, 2, 3], [1, 2, math.nan]]', /^kθ \(gains\[1\]\) must be a finite number, but was NaN$/],
+    [
+      '[[1, 2, 3]] * 4 + [[1, "(gains[13])", 3]]',
+      /^ky \(gains\[4\]\) must be a number, but was '\(gains\[13\]\)'$/,
+    ],
     ['[1, math.inf, 1]', /^ky must be a finite number, but was Infinity$/],
     ['[10**400, 1, 1]', /^kx must be a finite number, but was Infinity$/],
     ['[1, "a", 3]', /^ky must be a number, but was 'a'$/],
