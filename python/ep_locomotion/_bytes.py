@@ -85,7 +85,10 @@ def _encoded_starts(value, depth):
     rows = _rows(value, _POSTURE)
     if rows is None:
         return encoded(value, depth)
-    threes = [isinstance(row, (list, tuple)) and len(row) == 3 for row in rows]
+    threes = [isinstance(row, (list, tuple)) for row in rows]
+    for i, row in enumerate(rows):
+        if threes[i] and len(row) != 3:
+            raise ValueError(f"starts[{i}] must be three numbers (x, y, θ), but was an array of {len(row)}")
     if rows and all(threes):
         numbers = list(itertools.chain.from_iterable(rows))
         if _are_numbers(numbers):

@@ -125,8 +125,16 @@ test('a table of starts has rows of three numbers, or is refused by name', optio
   assert.deepEqual([one.value, other.value], [postures, postures]);
   /** @type {readonly (readonly [string, RegExp])[]} */
   const wrong = [
-    [table('[[0, 0], [1, 0], [0, 1]]', 2), /^starts\[0\] must be an object, but was an array of 2$/],
-    [table('[[0, 1, 2, 3]] * 3', 4), /^starts\[0\] must be an object, but was an array of 4$/],
+    [
+      table('[[0, 0], [1, 0], [0, 1]]', 2),
+      /^starts\[0\] must be three numbers \(x, y, θ\), but was an array of 2$/,
+    ],
+    [
+      table('[[0, 1, 2, 3]] * 3', 4),
+      /^starts\[0\] must be three numbers \(x, y, θ\), but was an array of 4$/,
+    ],
+    ['[[0, 0, 0], [1, 1]]', /^starts\[1\] must be three numbers \(x, y, θ\), but was an array of 2$/],
+    ['[0, 1, 2]', /^starts\[0\] must be an object, but was 0$/],
     [table("[['0', '1', '2']]"), /^starts\[0\]\.x must be a number .*, but was '0'$/],
     [table('[[True, False, True]]'), /^starts\[0\]\.x must be a number .*, but was true$/],
     [table('[[1, 2, 3j]]'), /^starts\[0\]\.theta must be a number .*, but was /],
@@ -158,7 +166,7 @@ test('whatever else is wrong is refused, and nothing is lost by it', options, ()
       /^goal must be an object, but was of type module$/,
     ],
     [
-      '(lambda a: (a.append(a), ep.evaluate({"starts": a}, [1, 2, 3])))([])',
+      '(lambda a: (a.append(a), ep.evaluate({"goal": a}, [1, 2, 3])))([])',
       'ValueError',
       /nested less deeply$/,
     ],
