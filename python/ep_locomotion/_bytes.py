@@ -158,7 +158,8 @@ def encoded_gains(gains):
     if numpy is not None and getattr(getattr(gains, "dtype", None), "names", None):
         gains = numpy.array(gains.tolist())
     if numpy is not None and isinstance(gains, numpy.ndarray):
-        if gains.ndim not in (1, 2) or gains.shape[-1] != 3:
+        are_rows = gains.ndim == 1 and gains.dtype.kind == "O"
+        if not are_rows and (gains.ndim not in (1, 2) or gains.shape[-1] != 3):
             raise ValueError(_wrong(f"an array of shape {gains.shape}"))
         if gains.dtype.kind in "fiu" and not numpy.ma.is_masked(gains):
             data = numpy.ascontiguousarray(gains, "<f8").tobytes()
@@ -168,7 +169,7 @@ def encoded_gains(gains):
         raise ValueError(_wrong(f"of type {type(gains).__name__}"))
     rows = gains.tolist() if hasattr(gains, "tolist") else list(gains)
     rows = [row if isinstance(row, float) or _is_plain(row) else _listed(_in_order(row, _GAINS)) for row in rows]
-    if not any(_is_row(row) for row in rows):
+    if not any(_is_row(row) for row in rows) and not isinstance(next(iter(rows), None), Mapping):
         if rows and len(rows) != 3:
             raise ValueError(_wrong(f"an array of {len(rows)}"))
         return _encoded_numbers(rows), _single if rows else list

@@ -232,6 +232,9 @@ test(
       { expression: `ep.evaluate({}, list(numpy.array(${triples})))` },
       { expression: 'ep.evaluate({}, numpy.zeros((0, 3)))' },
       {
+        expression: `(lambda rows: (rows.__setitem__(slice(None), ${triples} * 2), ep.evaluate({}, rows))[1])(numpy.empty(4, object))`,
+      },
+      {
         expression:
           'ep.evaluate({"starts": numpy.zeros((2, 3)), "sampleTime": numpy.float64(0.01)}, [10, 10, 10])',
       },
@@ -243,10 +246,13 @@ test(
       costs[0],
       costs,
       { array: [] },
+      [...costs, ...costs],
       costs[0],
       2,
     ]);
-    const [shape] = askPython([{ expression: 'ep.evaluate({}, numpy.zeros((3, 2)))' }]);
-    assert.match(String(shape.message), /^gains must be .* but was an array of shape \(3, 2\)$/);
+    for (const shape of ['(3, 2)', '(20,)', '(1, 1, 3)']) {
+      const [{ message }] = askPython([{ expression: `ep.evaluate({}, numpy.zeros(${shape}))` }]);
+      assert.equal(message?.split('but was ')[1], `an array of shape ${shape}`);
+    }
   },
 );
