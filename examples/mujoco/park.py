@@ -6,9 +6,9 @@
 """
 
 import argparse
-import importlib.util
 import math
 import pathlib
+import types
 
 import mujoco
 
@@ -17,10 +17,18 @@ HERE = pathlib.Path(__file__).parent
 
 
 def load(path):
-    """A controller that the page exported, as a module."""
-    spec = importlib.util.spec_from_file_location(path.stem, path)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
+    """A controller that the page exported, as a module; or one sentence says what is wrong."""
+    module = types.ModuleType(path.stem)
+    module.__file__ = str(path)
+    try:
+        code = compile(path.read_bytes(), path, "exec")
+    except OSError as error:
+        raise SystemExit(f"{path} cannot be read: {error.strerror}.")
+    except (SyntaxError, ValueError):
+        code = ""
+    exec(code, vars(module))
+    if not hasattr(module, "command"):
+        raise SystemExit(f"{path} is not a controller that the page exported as Python.")
     return module
 
 

@@ -44,24 +44,48 @@ test("a controller's link opens its drive", () => {
   }
 });
 
+/** What the example says of these files, before anything is simulated. @param {string} cwd @param {string[]} given */
+function refusal(cwd, ...given) {
+  const run = `
+import runpy, sys, types
+sys.modules.setdefault("mujoco", types.ModuleType("mujoco"))
+sys.argv = ${JSON.stringify(['park.py', ...given])}
+runpy.run_path(${JSON.stringify(join(top, 'examples/mujoco/park.py'))}, run_name="__main__")`;
+  const { stderr, status } = spawnSync(String(anyPython), ['-B', '-c', run], { cwd, encoding: 'utf8' });
+  assert.equal(status, 1);
+  return stderr.trim();
+}
+
 test('of a controller whose goal moves the example says that it never parks', {
   skip: !anyPython && 'there is no Python',
 }, () => {
   const { drive, experiment } = createEngine();
   const from = experiment({ law: 'kanayama', referenceVelocity: { linear: 0.5, angular: 0 } });
   const moving = controllerOf(drive, from, [3, 1, 4], { version: '1', link: '' });
-  // The goal is looked at before anything is simulated.
-  const run = `
-import runpy, sys, types
-sys.modules.setdefault("mujoco", types.ModuleType("mujoco"))
-sys.argv = ["park.py", "moving.py"]
-runpy.run_path(${JSON.stringify(join(top, 'examples/mujoco/park.py'))}, run_name="__main__")`;
   return inFolder((cwd) => {
     writeFileSync(join(cwd, 'moving.py'), writePython({ ...moving, name: 'moving' }, comments));
-    const { stderr, status } = spawnSync(String(anyPython), ['-B', '-c', run], { cwd, encoding: 'utf8' });
-    assert.deepEqual([stderr.trim(), status], ['moving.py follows a goal that moves, and never parks.', 1]);
+    assert.equal(refusal(cwd, 'moving.py'), 'moving.py follows a goal that moves, and never parks.');
   });
 });
+
+test(
+  'of a file that is no controller, or cannot be read, the example says so in a sentence',
+  {
+    skip: !anyPython && 'there is no Python',
+  },
+  () =>
+    inFolder((cwd) => {
+      assert.match(refusal(cwd, 'nope.py'), /^nope\.py cannot be read: .+\.$/);
+      for (const [name, text] of [
+        ['other.py', 'import math\n'],
+        ['controller.c', 'int main(void)\n{\n}\n'],
+        ['bytes.py', 'a = 1\0'],
+      ]) {
+        writeFileSync(join(cwd, name), text);
+        assert.equal(refusal(cwd, name), `${name} is not a controller that the page exported as Python.`);
+      }
+    }),
+);
 
 test('in MuJoCo the gains of the paper and of evolution park, 10, 10, 10 under acceleration limits do not', {
   skip: !python && 'there is no Python with mujoco',
