@@ -90,3 +90,10 @@ test('all that computes can be imported at once, without anywidget, and no other
   );
   assert.deepEqual(listed, ['EpLocomotion', ...all, 'types'].sort());
 });
+
+test('the wheel names its authors as the citation does', { skip }, () => {
+  const citation = readFileSync(new URL('../../../CITATION.cff', import.meta.url), 'utf8');
+  const [, name] = /^authors:\n {2}- name: (.+)$/m.exec(citation) ?? [];
+  const expression = "__import__('importlib.metadata').metadata.metadata('ep-locomotion')['Author']";
+  assert.deepEqual(valuesFrom([{ expression }]), [name]);
+});
