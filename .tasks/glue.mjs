@@ -1,5 +1,5 @@
 // What wasm-bindgen writes beside the module, as the package gives it: a call before init() says so, and so does one of what was
-// freed; nothing in sight has a name of the core's inside, and the types need no library but the language's own.
+// freed, or for which no memory is left; nothing in sight has a name of the core's inside, and the types need no library but the language's own.
 import { readFileSync, writeFileSync } from 'node:fs';
 
 /** Each text stands there once, or wasm-bindgen has changed. @type {readonly (readonly [string, string])[]} */
@@ -15,6 +15,18 @@ const glue = [
 function alive({ __wbg_ptr }) {
     if (__wbg_ptr === 0) throw new Error('ep-locomotion: it was freed, and is not to be used any more');
     return __wbg_ptr;
+}
+// What stops without a word has found no memory.
+function told(exports) {
+    const wrap = (call) => (...given) => {
+        try {
+            return call(...given);
+        } catch (error) {
+            if (!(error instanceof WebAssembly.RuntimeError)) throw error;
+            throw new WebAssembly.RuntimeError('ep-locomotion: its memory is used up; free() what is kept', { cause: error });
+        }
+    };
+    return Object.fromEntries(Object.entries(exports).map(([name, one]) => [name, typeof one === 'function' ? wrap(one) : one]));
 }
 let wasmModule, wasmInstance, wasm = absent;`,
   ],
@@ -36,7 +48,7 @@ let wasmModule, wasmInstance, wasm = absent;`,
     'wasm = instance.exports;\n    wasmModule = module;',
     `if (typeof instance.exports.__wbindgen_start !== 'function' || typeof instance.exports.evaluate !== 'function')
         throw new Error('ep-locomotion: what init() was given is not its core');
-    wasm = instance.exports;
+    wasm = told(instance.exports);
     wasmModule = module;`,
   ],
   [

@@ -4,12 +4,15 @@ import load from '../pkg/ep_locomotion.js';
 
 export * from '../pkg/ep_locomotion.js';
 
-const core = new URL('../pkg/ep_locomotion_bg.wasm', import.meta.url);
-
 /** @type {typeof load} */
 export default async function init(source) {
   const { module, module_or_path } = /** @type {any} */ (source ?? {});
-  const from = (await (module ?? module_or_path)) ?? core;
+  // Its own only where it is wanted: in some bundles nothing says where they lie.
+  const from = (await (module ?? module_or_path)) ?? new URL('../pkg/ep_locomotion_bg.wasm', import.meta.url);
   const address = String(from.href ?? from);
-  return load({ module: address.startsWith('file:') ? readFile(new URL(address)) : from });
+  if (!address.startsWith('file:')) return load({ module: from });
+  const bytes = readFile(new URL(address));
+  // Where the core is ready already nobody else hears that they cannot be read.
+  bytes.catch(() => {});
+  return load({ module: bytes });
 }

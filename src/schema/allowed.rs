@@ -6,7 +6,7 @@ use core::ops::Deref;
 use super::text::Text;
 
 /// An input that was refused. It is small, for most readings have none.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct InvalidInput(Box<Refusal>);
 
 /// What comes of given values, or why they were refused.
@@ -56,6 +56,13 @@ impl Deref for InvalidInput {
 impl fmt::Display for InvalidInput {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.message().fmt(f)
+    }
+}
+
+/// The sentence, for it is what a program that ends with the error shows.
+impl fmt::Debug for InvalidInput {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
     }
 }
 

@@ -213,7 +213,9 @@ pub fn assert_close(a: f64, b: f64, tolerance: f64) {
 /// Asserts that an input was refused, with this message.
 #[track_caller]
 pub fn assert_refused<T>(result: Result<T, InvalidInput>, message: &str) {
-    assert_eq!(result.err().expect("refused").to_string(), message);
+    let error = result.err().expect("refused");
+    assert_eq!(error.to_string(), message);
+    assert_eq!(format!("{error:?}"), message, "what `?` in main shows");
 }
 
 /// A cost as its bits.

@@ -73,6 +73,11 @@ test('the package holds what it needs, and nothing of the machine that built it'
     'LICENSE-APACHE',
     'LICENSE-MIT',
     'README.md',
+    'docs/embedding.md',
+    'docs/exercises.md',
+    'docs/javascript.md',
+    'docs/python.md',
+    'docs/teaching.md',
     'package.json',
     'pkg/ep_locomotion.d.ts',
     'pkg/ep_locomotion.js',
@@ -80,6 +85,7 @@ test('the package holds what it needs, and nothing of the machine that built it'
     'pkg/link.js',
     'src/link.d.ts',
     'src/node.js',
+    'src/search/METHODS.md',
   ]);
   const places = [top, process.env.CARGO_HOME].filter((place) => place !== undefined);
   for (const file of files) {
@@ -104,36 +110,6 @@ test('every file tells the same version', async () => {
 
 test("under Node the README's example prints the core's numbers", async () => {
   assert.deepEqual(await printedBy(await install()), expectedLines());
-});
-
-test('a call before the core is ready says so, and init takes bytes by either name', async () => {
-  await install();
-  const early = `import init, { Task, evaluate } from 'ep-locomotion';
-    import { readFileSync } from 'node:fs';
-    for (const call of [() => evaluate({}, [1, 2, 3]), () => new Task({})])
-      try { call(); } catch (error) { console.log(error.message); }
-    const bytes = readFileSync('node_modules/ep-locomotion/pkg/ep_locomotion_bg.wasm');
-    await init({ NAME: bytes });
-    console.log(evaluate({}, [1, 2, 3]).length);`;
-  for (const name of ['module', 'module_or_path']) {
-    const said = 'ep-locomotion: call init() and wait for it before anything else';
-    assert.deepEqual(await printedBy(early.replace('NAME', name)), [said, said, '1']);
-  }
-});
-
-test('init takes the address of its file, and after what is no core another', async () => {
-  await install();
-  const several = `import init, { evaluate } from 'ep-locomotion';
-    const file = import.meta.resolve('ep-locomotion/ep_locomotion_bg.wasm');
-    const other = Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0);
-    for (const module of [Uint8Array.of(1), other])
-      await init({ module }).catch((error) => console.log(error.message));
-    await init({ module: FILE });
-    console.log(evaluate({}, [1, 2, 3]).length);`;
-  for (const file of ['file', 'new URL(file)', 'Promise.resolve(file)', 'undefined']) {
-    const [, said, count] = await printedBy(several.replace('FILE', file));
-    assert.deepEqual([said, count], ['ep-locomotion: what init() was given is not its core', '1'], file);
-  }
 });
 
 test('the types show no name of the inside of the core', async () => {
