@@ -29,8 +29,8 @@ from ._task import Task, evaluate, experiment, simulate, with_ends
 if TYPE_CHECKING:
     from ._widget import EpLocomotion as EpLocomotion
 
-# What computes; the widget is asked for by name.
 __all__ = [
+    "EpLocomotion",
     "Evolution",
     "InternalError",
     "Task",
@@ -81,4 +81,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*__all__, "EpLocomotion", "types", *(name for name in globals() if name.startswith("__"))})
+    return sorted({*__all__, "types", *(name for name in globals() if name.startswith("__"))})
