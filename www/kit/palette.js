@@ -6,6 +6,9 @@ const tokens = [
   ...['pin-1', 'pin-2', 'pin-3', 'pin-4'],
 ].map((name) => `--${name}`);
 
+/** How strongly what stands back is drawn. */
+export const pale = 0.5;
+
 /** @type {Map<string, string> | null} */
 let colours = null;
 
