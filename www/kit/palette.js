@@ -9,6 +9,9 @@ const tokens = [
 /** What tells lines in these colours apart where colours do not: narrow gaps, for the wide ones are those of pins and comparisons. @type {Readonly<Record<string, readonly number[]>>} */
 export const dashes = { '--x': [], '--y': [10, 2], '--theta': [4, 2] };
 
+/** How strongly what stands back is drawn. */
+export const pale = 0.5;
+
 /** @type {Map<string, string> | null} */
 let colours = null;
 

@@ -9,7 +9,7 @@ import { createWatchedLayer, fillTextWithHalo, sharpLine } from '../kit/canvas.j
 import { paidAt } from '../core/paid.js';
 import { take } from '../kit/chart.js';
 import { setLettering } from '../kit/lettering.js';
-import { colour } from '../kit/palette.js';
+import { colour, pale } from '../kit/palette.js';
 import { multiples, roundStep } from '../kit/steps.js';
 import { styles } from '../run/pins.js';
 import { knobOf } from '../kit/transform.js';
@@ -82,7 +82,7 @@ function drawGrid(context, view, names) {
 function drawPaths(context, view, scene, pins) {
   const { others, comparison, driving } = scene;
   strokeRuns(context, view, [
-    ...others.map((run) => ({ run, token: '--ink', alpha: 0.2, width: 1, isRound: true })),
+    ...others.map((run) => ({ run, token: '--muted', alpha: pale, width: 1, isRound: true })),
     { run: comparison, token: '--muted', width: 2, dash: [2, 6], isRound: true },
     ...pins.map(({ slot }, i) => ({ run: scene.pins[i], ...styles[slot], width: 2 })),
     { run: driving, token: '--ink', alpha: 0.4, width: 1.5, isRound: true },

@@ -1,22 +1,29 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
+import { pale } from '../../../www/kit/palette.js';
 import { askedAlpha } from '../../../www/parts/curves/plots.js';
+import { pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
+import { follow } from '../whole/surround.js';
 
-const sheet = readFileSync(new URL('../../../www/kit/style.css', import.meta.url), 'utf8');
+const read = (/** @type {string} */ path) =>
+  readFileSync(new URL(`../../../www/${path}`, import.meta.url), 'utf8');
+const sheet = read('kit/style.css');
 const [lit, dark] = sheet.split('@media screen and (prefers-color-scheme: dark)');
 
+/** Red, green and blue. @param {string} hex */
+const partsOf = (hex) => [1, 3, 5].map((from) => Number.parseInt(hex.slice(from, from + 2), 16) / 255);
+
+/** As light. @param {number[]} parts */
+const lightOf = (parts) =>
+  parts.map((part) => (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4));
+
+/** Each token. @param {string} css @returns {Map<string, string>} */
+const tokensOf = (css) =>
+  new Map([...css.matchAll(/--([\w-]+): (#[\da-f]{6});/g)].map(([, name, hex]) => [name, hex]));
+
 /** Red, green and blue as light, of each token. @param {string} css @returns {Map<string, number[]>} */
-const coloursOf = (css) =>
-  new Map(
-    [...css.matchAll(/--([\w-]+): #([\da-f]{6});/g)].map(([, name, hex]) => [
-      name,
-      [0, 2, 4].map((from) => {
-        const part = Number.parseInt(hex.slice(from, from + 2), 16) / 255;
-        return part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4;
-      }),
-    ]),
-  );
+const coloursOf = (css) => new Map([...tokensOf(css)].map(([name, hex]) => [name, lightOf(partsOf(hex))]));
 
 /** How different they look: the distance in Oklab, by Björn Ottosson. @param {number[]} a @param {number[]} b */
 function distance(a, b) {
@@ -72,19 +79,88 @@ test('what is not reached on a map is no bright area in the dark, and what stand
   }
 });
 
+/** How much a colour stands out from its ground when so much of it is drawn. @param {string} ground @param {string} hex @param {number} alpha */
+function contrastOn(ground, hex, alpha) {
+  const [under, over] = [ground, hex].map(partsOf);
+  const mixed = under.map((part, i) => part * (1 - alpha) + over[i] * alpha);
+  return contrast(lightOf(mixed), lightOf(under));
+}
+
 test('what the law asked for is seen on paper, though its line is thin', () => {
-  /** As the screen mixes them, which is not by their light. @param {number} part */
-  const codeOf = (part) => (part <= 0.0031308 ? 12.92 * part : 1.055 * part ** (1 / 2.4) - 0.055);
-  const lightOf = (/** @type {number} */ code) =>
-    code <= 0.04045 ? code / 12.92 : ((code + 0.055) / 1.055) ** 2.4;
   for (const css of [lit, dark.split('@media')[0]]) {
-    const colours = coloursOf(css);
-    const paper = /** @type {number[]} */ (colours.get('paper'));
+    const of = (/** @type {string} */ name) => /** @type {string} */ (tokensOf(css).get(name));
     for (const name of ['energy', 'omega']) {
-      const line = /** @type {number[]} */ (colours.get(name)).map((part, i) =>
-        lightOf(askedAlpha * codeOf(part) + (1 - askedAlpha) * codeOf(paper[i])),
-      );
-      assert.ok(contrast(line, paper) >= 3, `${name}: ${contrast(line, paper)}`);
+      const seen = contrastOn(of('paper'), of(name), askedAlpha);
+      assert.ok(seen >= 3, `${name}: ${seen}`);
+    }
+  }
+});
+
+test('what stands back is seen in both themes, also on a weak projector, and stands back', () => {
+  const marks = read('parts/generation/style.css');
+  const faint = Number(/\.mark:is\(\.fallen, \.falls, \.faint\) {\s+opacity: ([\d.]+);/.exec(marks)?.[1]);
+  const swatch = Number(/\.thin::before {\s+opacity: ([\d.]+);/.exec(read('lab/plane.css'))?.[1]);
+  assert.equal(swatch, pale, 'the legend shows the line that is on the plane');
+  for (const css of [lit, dark.split('@media')[0]]) {
+    const of = (/** @type {string} */ name) => /** @type {string} */ (tokensOf(css).get(name));
+    for (const [name, alpha] of /** @type {const} */ ([
+      ['muted', pale],
+      ['ink', faint],
+    ])) {
+      const seen = contrastOn(of('paper'), of(name), alpha);
+      assert.ok(seen > 2 && seen < contrastOn(of('paper'), of(name), 1) / 2, `${name}: ${seen}`);
+    }
+  }
+});
+
+/** Pictures with what stands back in them, each with its canvas. */
+const paleLines = {
+  'lab&v=1&generation=12': '#plane-paths',
+  'disturbance&v=1&generation=12&under=slip,0.1,0,1': '.remains canvas',
+  'training&v=1&generation=12': '#training-unseen',
+  'lesson&step=cost': '.small-drive canvas',
+  'lesson&step=duel': '.swarm-picture canvas',
+};
+
+/** @typedef {{ canvas: HTMLCanvasElement, colour: string, alpha: number, width: number }} Stroke */
+/** In the page: what is drawn from now on. */
+function recordStrokes() {
+  const { prototype } = CanvasRenderingContext2D;
+  const { stroke } = prototype;
+  /** @type {Stroke[]} */
+  const strokes = [];
+  prototype.stroke = function (/** @type {any[]} */ ...path) {
+    const { a, b } = this.getTransform();
+    const width = (this.lineWidth * Math.hypot(a, b)) / devicePixelRatio;
+    const { canvas, strokeStyle, globalAlpha } = this;
+    strokes.push({ canvas, colour: String(strokeStyle), alpha: globalAlpha, width });
+    stroke.apply(this, /** @type {any} */ (path));
+  };
+  Object.assign(window, { strokes });
+}
+
+pageTest('no line of a drive is so pale that a weak projector loses it', async (page) => {
+  const ground = /** @type {string} */ (tokensOf(lit).get('paper'));
+  await page.open('#luck');
+  await page.evaluate(recordStrokes);
+  for (const [link, selector] of Object.entries(paleLines)) {
+    await follow(page, link);
+    const strokes = /** @type {Stroke[]} */ (
+      await page.until(
+        `something pale on ${link}`,
+        (wanted) => {
+          const { strokes: all } = /** @type {{ strokes: Stroke[] }} */ (/** @type {unknown} */ (window));
+          const here = all.filter(({ canvas }) => canvas.matches(wanted));
+          return here.some(({ alpha }) => alpha < 0.9) && here.map(({ canvas, ...look }) => look);
+        },
+        selector,
+      )
+    );
+    // Lines of the axes are as pale as they should be.
+    for (const { colour, alpha, width } of strokes.filter((one) => contrastOn(ground, one.colour, 1) > 4.5)) {
+      const seen = contrastOn(ground, colour, alpha * Math.min(1, width));
+      // What is small as well as thin needs more.
+      assert.ok(seen > (width < 0.99 ? 3 : 2), `${link}: ${colour} at ${alpha}, ${width} px: ${seen}`);
     }
   }
 });

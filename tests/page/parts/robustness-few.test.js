@@ -92,6 +92,19 @@ pageTest(
     const [few, all] = await spread();
     assert.ok(few > 60 && all < 30, `${few}, ${all}`);
     assert.equal(await legend(), true);
+    // In grey a shade can be that of the places from which none arrives.
+    const rises = await page.evaluate(() =>
+      ['never', 'few'].map((name) => {
+        const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById(`robustness-${name}`));
+        const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+        const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+        /** How far a pixel is from the next one on a line that goes up, or down. */
+        const apart = (/** @type {number} */ next) =>
+          data.reduce((sum, value, i) => sum + Math.abs(value - (data[i + 4 * next] ?? value)), 0);
+        return apart(1 - canvas.width) < apart(1 + canvas.width);
+      }),
+    );
+    assert.deepEqual(rises, [true, false]);
     await page.click('#robustness-quantity-share');
     await page.until(
       'the legend is another',

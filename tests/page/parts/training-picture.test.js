@@ -17,6 +17,8 @@ pageTest(
   'a start that is pressed is driven from, and a press beside all of them changes nothing',
   async (page) => {
     await openTraining(page);
+    const head = await page.evaluate(() => document.querySelector('#training-table th')?.textContent);
+    assert.match(head ?? '', /kx\s*ky\s*kθ$/, 'whose the three numbers of a row are');
     // The goal is in the middle; the outermost circle of those never seen begins at its right.
     const { x, y } = experiment('velocity-limits').goal;
     const radius = (4 * 17.5) / 18;
@@ -97,7 +99,7 @@ pageTest(
       // 750 miss, 250 arrive.
       assert.ok(seen.red > 750 && seen.grey > 250, JSON.stringify(seen));
       // Without colour they differ, too; where two cross they are stronger.
-      assert.ok(seen.strongest < 200, JSON.stringify(seen));
+      assert.ok(seen.strongest < 210, JSON.stringify(seen));
     }
   },
 );

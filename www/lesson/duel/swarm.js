@@ -5,7 +5,7 @@ import { inMetres, postureAt, sampleBefore, trace } from '../../lab/track.js';
 import { createLayer } from '../../kit/canvas.js';
 import { create, followSize } from '../../kit/elements.js';
 import { watch } from '../../kit/memo.js';
-import { colour } from '../../kit/palette.js';
+import { colour, pale } from '../../kit/palette.js';
 import { unless } from '../../kit/templates.js';
 import { lab } from '../../words/index.js';
 import { createFilm } from './film.js';
@@ -83,7 +83,7 @@ function drawYard(context, size, { experiment, runs }, time) {
   inMetres(context, plane);
   for (const run of runs) {
     context.strokeStyle = colour(isOver(run) && !run.arrived ? '--error' : '--muted');
-    context.globalAlpha = 0.45;
+    context.globalAlpha = pale;
     context.beginPath();
     trace(context, plane, run, sampleBefore(run, time));
     context.stroke();

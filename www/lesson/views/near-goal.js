@@ -1,10 +1,12 @@
 // The last centimetres: where a disturbed robot stays, and the strips in which Theorem 2 lets it.
 import { html, render } from 'lit-html';
 import { create } from '../../kit/elements.js';
+import { styled } from '../../kit/templates.js';
 import { viewAt } from '../../kit/transform.js';
 import { carOutline } from '../../lab/car.js';
 import { remember, watch } from '../../kit/memo.js';
 import { disturbanceSlice } from '../../parts/disturbance/state.js';
+import names from '../../parts/disturbance/words/index.js';
 
 /** @import { Posture, Run } from '../../core/engine.js' */
 /** @import { Block, Tools } from '../page.js' */
@@ -58,6 +60,7 @@ export function createNearGoal({ actions }, { near: words }) {
               <path class="near-end" d=${arrow} transform=${placeOf(goal, goal, scale)} />
               <path class="near-robot" d=${robotOutline} transform=${placeOf(robot, goal, scale)} />
             </svg>
+            ${high > 0 ? nameOf('y', goal.theta) : ''} ${wide > 0 ? nameOf('x', goal.theta + Math.PI / 2) : ''}
           </div>
           <div class="near-text">
             <p class="muted">${words.caption(2 * half, driving.time[at], distance(at))}</p>
@@ -68,6 +71,10 @@ export function createNearGoal({ actions }, { near: words }) {
     },
   };
 }
+
+/** The number of its inequality, in the middle of a strip. @param {'x' | 'y'} part @param {number} angle Where the strip leads. */
+const nameOf = (part, angle) =>
+  html`<span class="near-name of-${part}" aria-hidden="true" ${styled('left', `${50 + 42 * Math.cos(angle)}%`)} ${styled('top', `${50 - 42 * Math.sin(angle)}%`)}>${names.equations[part]}</span>`;
 
 /** @param {Run} run @param {Posture} goal */
 function halfOf({ x, y }, goal) {

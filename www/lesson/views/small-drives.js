@@ -3,7 +3,7 @@ import { drawBay, drawCar } from '../../lab/car.js';
 import { inMetres, postureAt, trace } from '../../lab/track.js';
 import { circle, createWatchedLayer } from '../../kit/canvas.js';
 import { create, followSize } from '../../kit/elements.js';
-import { colour } from '../../kit/palette.js';
+import { colour, pale } from '../../kit/palette.js';
 import { planeAround } from './plane-around.js';
 
 /** @import { Experiment, Run } from '../../core/engine.js' */
@@ -43,7 +43,7 @@ function drawRun(context, size, { experiment, run, others, beat, time, car, toke
   for (const one of [...others.filter((other) => other !== run), run]) {
     if (!one) continue;
     context.strokeStyle = colour(one === run ? token : '--muted');
-    context.globalAlpha = one === run ? 0.7 : 0.3;
+    context.globalAlpha = one === run ? 0.7 : pale;
     context.beginPath();
     trace(context, plane, one, one.time.length - 1);
     context.stroke();

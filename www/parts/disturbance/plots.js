@@ -17,7 +17,7 @@ import {
 import { followSize } from '../../kit/elements.js';
 import { largest } from '../../kit/extent.js';
 import { setLettering } from '../../kit/lettering.js';
-import { colour } from '../../kit/palette.js';
+import { colour, pale } from '../../kit/palette.js';
 import { typed } from '../../words/numbers.js';
 import words from './words/index.js';
 import { arePositive, parts } from './summary.js';
@@ -96,7 +96,7 @@ function drawLines(context, axes, measured, part, isLast) {
   context.lineJoin = 'round';
   context.strokeStyle = colour('--muted');
   context.lineWidth = 1;
-  context.globalAlpha = 0.3;
+  context.globalAlpha = pale;
   context.beginPath();
   for (const run of runs.slice(1)) trace(context, axes, ...crests(run.time, run[part]));
   context.stroke();

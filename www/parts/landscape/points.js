@@ -4,6 +4,7 @@
 import { fillTextWithHalo, pathOf, strokeTwice } from '../../kit/canvas.js';
 import { setLettering, strongFont } from '../../kit/lettering.js';
 import { dark, light } from '../../kit/map.js';
+import { pale } from '../../kit/palette.js';
 import { drawMark } from '../../kit/swatch.js';
 import { styles } from '../../run/pins.js';
 import { middleOf, placeNames } from './names.js';
@@ -18,9 +19,6 @@ export const outlines = {
   // Open in its middle, so that whoever stands there is seen.
   sight: 'M-11 0H-5M5 0H11M0-11V-5M0 5V11',
 };
-
-/** How much is seen of a mark that is not in the slice. */
-export const pale = 0.5;
 
 /** @typedef {Point & { place: readonly [number, number], isPale: boolean }} Placed */
 

@@ -13,13 +13,14 @@ import { setLettering } from '../../kit/lettering.js';
 import { dark, drawFrame, drawShades, light } from '../../kit/map.js';
 import { shadeAt } from '../../kit/shades.js';
 import { remember } from '../../kit/memo.js';
+import { pale } from '../../kit/palette.js';
 import { drawSymbol } from '../../kit/names.js';
 import { fixed } from '../../words/numbers.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
 import { endsOfAxis, isInSlice } from './request.js';
 import { isOn } from './lowest.js';
-import { drawPoints, pale } from './points.js';
+import { drawPoints } from './points.js';
 import { createAxis, createCostScale } from './scale.js';
 import { drawSketch } from './sketch.js';
 

@@ -84,17 +84,19 @@ export function createMap(root) {
 
 /** What stands for "none arrives", on the map and in its legend. @param {CanvasRenderingContext2D} context */
 export const hatch = (context) =>
-  hatching(context, colour('--unreached'), [{ colour: colour('--on-unreached'), alpha: 0.45, aside: 0 }]);
+  hatching(context, colour('--unreached'), true, [
+    { colour: colour('--on-unreached'), alpha: 0.45, aside: 0 },
+  ]);
 
-/** What lies over the shade where fewer than half arrive: a light line beside a dark one, for every shade. @param {CanvasRenderingContext2D} context */
+/** What lies over the shade where fewer than half arrive: a light line beside a dark one, for every shade, and falling, because in grey a shade can be that of "none". @param {CanvasRenderingContext2D} context */
 export const hatchOver = (context) =>
-  hatching(context, 'transparent', [
+  hatching(context, 'transparent', false, [
     { colour: light, alpha: 0.75, aside: 0 },
     { colour: dark, alpha: 0.35, aside: 1 },
   ]);
 
-/** @param {CanvasRenderingContext2D} context @param {string} ground @param {{ colour: string, alpha: number, aside: number }[]} lines */
-function hatching(context, ground, lines) {
+/** @param {CanvasRenderingContext2D} context @param {string} ground @param {boolean} rises @param {{ colour: string, alpha: number, aside: number }[]} lines */
+function hatching(context, ground, rises, lines) {
   const step = 6;
   const pixels = globalThis.devicePixelRatio || 1;
   const tile = document.createElement('canvas');
@@ -104,13 +106,14 @@ function hatching(context, ground, lines) {
   on.fillStyle = ground;
   on.fillRect(0, 0, edge, edge);
   on.lineWidth = pixels * 0.8;
+  const [from, to] = rises ? [edge + 1, -1] : [-1, edge + 1];
   for (const line of lines) {
     on.strokeStyle = line.colour;
     on.globalAlpha = line.alpha;
     on.beginPath();
     for (const shift of [-edge, 0, edge].map((one) => one + line.aside * pixels)) {
-      on.moveTo(shift - 1, edge + 1);
-      on.lineTo(shift + edge + 1, -1);
+      on.moveTo(shift - 1, from);
+      on.lineTo(shift + edge + 1, to);
     }
     on.stroke();
   }

@@ -82,7 +82,7 @@ function drawStarts(context, { starts, arrived, goal, tried, driving }, { scale,
   context.lineJoin = 'round';
   context.fillStyle = ink;
   context.strokeStyle = arrived ? error : muted;
-  context.lineWidth = isCrowded ? Math.max(0.75, size / 4) : 1.5;
+  context.lineWidth = isCrowded ? Math.max(1, size / 4) : 1.5;
   for (const [i, { x, y, theta }] of starts.entries()) {
     if (arrived && !arrived[i]) {
       context.globalAlpha = missing.alpha;

@@ -15,10 +15,16 @@ export function tableOf(rows, spread, chosen, counts, onChoose) {
   const heads = words.columnsOf(counts.unseen, counts.own);
   return html`
     <table id="training-table" class="training-table" aria-label=${words.texts.trainingTable}>
-      <thead><tr>${heads.map((text) => html`<th scope="col">${text}</th>`)}</tr></thead>
+      <thead><tr>${heads.map((text, i) => html`<th scope="col">${text}${i === 0 ? gainsOf((name) => name) : nothing}</th>`)}</tr></thead>
       <tbody>${rows.map((row) => rowOf(row, spread, counts, row.name === chosen, onChoose))}</tbody>
     </table>`;
 }
+
+/** Something of each gain, in its colour. @param {(name: string, i: number) => string} write */
+const gainsOf = (write) =>
+  html`<span class="training-gains">${lab.gains.map(
+    ({ id, name }, i) => html`<span class=${id} title=${name}>${write(name, i)}</span>`,
+  )}</span>`;
 
 /** @param {Row} row @param {Spread | null} spread @param {{ unseen: number, follows: boolean }} counts @param {boolean} chosen @param {(name: RowName) => void} onChoose */
 function rowOf({ name, text, result, old }, spread, { unseen: all, follows }, chosen, onChoose) {
@@ -31,11 +37,7 @@ function rowOf({ name, text, result, old }, spread, { unseen: all, follows }, ch
   return html`
     <tr id="training-${name}" class="${chosen ? 'chosen' : ''} ${old ? 'old' : ''}" @click=${() => onChoose(name)}>
       <th scope="row">
-        <button type="button" class="training-name" title=${words.chooseHint(text)} aria-pressed=${String(chosen)}>${text}</button><span
-          class="training-gains">${lab.gains.map(
-            ({ id, name: gain }, i) =>
-              html`<span class=${id} title=${gain}>${shown(({ gains }) => words.gain(gains[i]))}</span>`,
-          )}</span>
+        <button type="button" class="training-name" title=${words.chooseHint(text)} aria-pressed=${String(chosen)}>${text}</button>${gainsOf((_, i) => shown(({ gains }) => words.gain(gains[i])))}
       </th>
       <td class="training-seen">${isSet(name) ? shown(({ training }) => share(training)) : words.none}</td>
       <td class="training-unseen"><span class="training-bar"><span ${styled('width', `${filled}%`)}></span>${isSet(name) && spread && !follows ? dotsOf(spread[name], all) : nothing}</span><strong>${shown(

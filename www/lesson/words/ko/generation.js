@@ -7,7 +7,7 @@ export const generation = {
   newborn: {
     /** @param {number} better @param {number} count */
     title: (better, count) =>
-      `자손 로봇 ${count}대의 주행(옅은 선: 부모). 초록색: 부모보다 나은 로봇 ${better}대. 아래: J.`,
+      `자손 로봇 ${count}대의 주행(옅은 선: 부모). 아래: J. 초록색, 굵은 J: 부모보다 나은 로봇 ${better}대.`,
     /** @param {number} count */
     alone: (count) => `자손 로봇 ${count}대의 주행. 아래: J.`,
     /** @param {number} count */
