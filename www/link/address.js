@@ -56,8 +56,8 @@ function createLinkTo({ engine, store, links, firstPage }) {
 export function createAddress({ engine, store, actions, links, slices, firstPage }) {
   const { linkFor, linkNow, wayTo } = createLinkTo({ engine, store, links, firstPage });
   const changed = watch();
-  /** The page is about to be loaded again, and what is laid beside its address stays there. */
-  const away = { leaves: false };
+  /** The page is about to be loaded again, and what is laid beside its address stays there; `replaced`: the address before. */
+  const away = { leaves: false, replaced: '' };
   takeLeft();
   /** None where the address still tells of the run before. @type {string | null} */
   let written = location.hash.slice(1);
@@ -91,9 +91,9 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
     const isStep = isElsewhere(state, place) && written;
     // One that "back" takes back: to all that the part before has come to.
     if (isStep) history.replaceState(null, '', `#${linkFor({ ...state, ...place })}`);
+    away.replaced = isStep ? '' : location.href;
     history[isStep ? onward : 'replaceState'](null, '', `#${link}`);
-    written = link;
-    place = placeOf(state);
+    [written, place] = [link, placeOf(state)];
   };
 
   const soon = createPause(write);
@@ -108,7 +108,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
   addEventListener('popstate', () => location.hash.slice(1) !== written && open());
   const problems = open();
   // What has not begun, and may be what somebody flees from, is not opened again.
-  keepLeft(() => (away.leaves || !isDue(store.get(), place) ? null : linkFor(store.get())));
+  keepLeft(() => (away.leaves || !isDue(store.get(), place) ? null : linkFor(store.get())), away);
 
   return {
     /** What was wrong with the first link, in words. */

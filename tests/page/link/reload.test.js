@@ -1,6 +1,8 @@
 // A page that is loaded again before its address tells of it opens as it was left.
 import assert from 'node:assert/strict';
-import { Key, engineTest } from '../harness/browsers.js';
+import { setTimeout as delay } from 'node:timers/promises';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { serve } from '../harness/server.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
@@ -53,4 +55,34 @@ engineTest('what is loaded again at once is as it was left, with every drive tha
   for (let i = 0; i < 3; i += 1) await page.click('#one-generation');
   await page.driver.navigate().refresh();
   await page.until('generation 3 is shown', () => document.getElementById('generation')?.innerText === '3');
+});
+
+pageTest('nor is anything lost where the page goes on while a slow server sends it again', async (page) => {
+  let isSlow = false;
+  const site = await serve(undefined, {
+    async send(name, content) {
+      // Longer than a change waits to be in the address.
+      if (isSlow && name === 'index.html') await delay(1500);
+      return content;
+    },
+  });
+  try {
+    await page.visit(`${site.address}#lab&v=1`);
+    await page.until('it is there', () => document.documentElement.dataset.ready === 'true');
+    isSlow = true;
+    await page.evaluate(() => {
+      document.getElementById('one-generation')?.click();
+      location.reload();
+    });
+    await page.until(
+      'generation 1 is shown in what was loaded again',
+      () =>
+        performance.getEntriesByType('navigation').some(({ duration }) => duration > 1000) &&
+        document.getElementById('generation')?.innerText === '1',
+    );
+    assert.match(await address(page), /generation=1/);
+  } finally {
+    await page.leave();
+    await site.close();
+  }
 });
