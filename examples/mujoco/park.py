@@ -24,9 +24,9 @@ def load(path):
         code = compile(path.read_bytes(), path, "exec")
     except OSError as error:
         raise SystemExit(f"{path} cannot be read: {error.strerror}.")
-    except (SyntaxError, ValueError):
-        code = ""
-    exec(code, vars(module))
+        exec(code, vars(module))
+    except Exception:
+        module.__dict__.clear()
     if not hasattr(module, "command"):
         raise SystemExit(f"{path} is not a controller that the page exported as Python.")
     return module

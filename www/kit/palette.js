@@ -6,7 +6,7 @@ const tokens = [
   ...['pin-1', 'pin-2', 'pin-3', 'pin-4'],
 ].map((name) => `--${name}`);
 
-/** What tells lines in these colours apart where colours do not: narrow gaps, for the wide ones are those of pins and comparisons. @type {Readonly<Record<string, readonly number[]>>} */
+/** What tells lines in these colours apart where colours do not: their gaps are narrow, so that wide ones are for others. @type {Readonly<Record<string, readonly number[]>>} */
 export const dashes = { '--x': [], '--y': [10, 2], '--theta': [4, 2] };
 
 /** How strongly what stands back is drawn. */

@@ -3,7 +3,7 @@
 
 /** @typedef {Pick<State, 'driver' | 'handGains' | 'found'>} Hand */
 /** `hand`: where the step is one of gains. @typedef {Pick<State, 'experiment' | 'preset'> & { hand?: Hand }} Version */
-/** @typedef {{ past: readonly Version[], future: readonly Version[], held?: readonly Version[] }} Versions The nearest is the last of the past, the first of the future; `held`: the future that a drag has taken, until it ends. */
+/** @typedef {{ past: readonly Version[], future: readonly Version[], held?: readonly Version[] }} Versions The nearest is the last of the past, the first of the future; `held`: the future before the last change, for a drag that comes back. */
 
 const most = 200;
 

@@ -15,8 +15,8 @@ import { onceOnly, test } from '../harness/once.js';
 import { serve } from '../harness/server.js';
 import { install, installed, manifest, printedBy, project } from './package/installed.js';
 
-const writePages = onceOnly(async () => {
-  await writePage('plain', '../node_modules/ep-locomotion/pkg/ep_locomotion.js');
+const writePlain = onceOnly(() => writePage('plain', '../node_modules/ep-locomotion/pkg/ep_locomotion.js'));
+const writeBundled = onceOnly(async () => {
   const bundled = await writePage('bundled', 'ep-locomotion');
   await build({ root: bundled, base: './', logLevel: 'warn', build: { target: 'es2022' } });
 });
@@ -236,13 +236,13 @@ test('a strict TypeScript project has the types of all of it', async () => {
   }
 });
 
-for (const [how, path, declare] of /** @type {const} */ ([
-  ['in a plain page', 'plain/index.html', engineTest],
+for (const [how, path, declare, write] of /** @type {const} */ ([
+  ['in a plain page', 'plain/index.html', engineTest, writePlain],
   // It is the same core that runs there.
-  ['in a page that Vite bundled', 'bundled/dist/index.html', pageTest],
+  ['in a page that Vite bundled', 'bundled/dist/index.html', pageTest, writeBundled],
 ])) {
   declare(`${how} the README's example prints the core's numbers`, async (page) => {
-    await writePages();
+    await write();
     const site = await serve(project);
     try {
       await page.visit(site.address + path);

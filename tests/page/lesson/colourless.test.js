@@ -81,11 +81,16 @@ pageTest(
       ['(7)', 'near-set of-y'],
       ['(6)', 'near-set of-x'],
     ]);
+    // Theorem 2 is about the law (5), with gains above zero.
+    for (const link of ['&law=kanayama', '&drives=hand&gains=3,0,5']) {
+      await follow(page, `lesson&step=disturbance${link}`);
+      await page.until(`no strips with ${link}`, () => !document.querySelector('.near-name'));
+    }
     await follow(page, 'lesson&step=cost');
     const gaps = await page.until('the bars', () => {
       const all = [...document.querySelectorAll('.standing-segment:not(:first-child)')];
       return all.length > 0 && all.map((one) => getComputedStyle(one).boxShadow);
     });
-    for (const gap of gaps) assert.match(gap, /2px 0px 0px 0px inset/);
+    for (const gap of gaps) assert.match(gap, /1px 0px 0px 0px inset/);
   },
 );

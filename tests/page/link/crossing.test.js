@@ -6,6 +6,7 @@ import { saidElsewhere } from '../../../www/lesson/words/ko.js';
 import { openGroup, openSettings } from '../harness/panel.js';
 import { ko } from '../harness/words.js';
 import { holdWorkers } from '../harness/workers.js';
+import { follow } from '../whole/surround.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
@@ -154,9 +155,10 @@ pageTest(
 );
 
 pageTest('a link that is still being evolved is evolved to its end in the other language', async (page) => {
-  await page.open('#lab&v=1&population=300&horizon=60&generation=12');
+  await page.open('#lab&v=1');
   // So that it has not come to its end before it is left.
   await holdWorkers(page);
+  await follow(page, 'lab&v=1&population=300&horizon=60&generation=12');
   await toKorean(page);
   await page.until(
     'the generation of the link',

@@ -85,21 +85,24 @@ pageTest(
         const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d')).getImageData(
           ...[0, 0, canvas.width, canvas.height],
         );
-        let [red, grey, strongest] = [0, 0, 0];
+        let [red, grey, strongest, inked] = [0, 0, 0, 0];
         for (let i = 0; i < data.length; i += 4)
           if (data[i + 3] > 60) {
             if (data[i] > data[i + 1] + 60 && data[i] > data[i + 2] + 60) {
               red += 1;
               strongest = Math.max(strongest, data[i + 3]);
-            } else if (data[i + 3] > 200 && Math.abs(data[i] - data[i + 1]) < 20) grey += 1;
+            } else if (data[i + 3] > 215 && Math.abs(data[i] - data[i + 1]) < 20) {
+              grey += 1;
+              inked = Math.max(inked, data[i + 3]);
+            }
           }
-        return { side: Math.min(canvas.clientWidth, canvas.clientHeight), red, grey, strongest };
+        return { side: Math.min(canvas.clientWidth, canvas.clientHeight), red, grey, strongest, inked };
       });
       assert.ok(seen.side >= side, `${seen.side} px at ${width} × ${height}`);
       // 750 miss, 250 arrive.
       assert.ok(seen.red > 750 && seen.grey > 250, JSON.stringify(seen));
       // Without colour they differ, too; where two cross they are stronger.
-      assert.ok(seen.strongest < 210, JSON.stringify(seen));
+      assert.ok(seen.strongest < 215 && seen.inked > 240, JSON.stringify(seen));
     }
   },
 );

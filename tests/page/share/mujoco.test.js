@@ -80,6 +80,7 @@ test(
         ['other.py', 'import math\n'],
         ['controller.c', 'int main(void)\n{\n}\n'],
         ['bytes.py', 'a = 1\0'],
+        ['run.json', '{"a": null}\n'],
       ]) {
         writeFileSync(join(cwd, name), text);
         assert.equal(refusal(cwd, name), `${name} is not a controller that the page exported as Python.`);

@@ -6,6 +6,7 @@ import { viewAt } from '../../kit/transform.js';
 import { carOutline } from '../../lab/car.js';
 import { remember, watch } from '../../kit/memo.js';
 import { disturbanceSlice } from '../../parts/disturbance/state.js';
+import { arePositive } from '../../parts/disturbance/summary.js';
 import names from '../../parts/disturbance/words/index.js';
 
 /** @import { Posture, Run } from '../../core/engine.js' */
@@ -44,7 +45,7 @@ export function createNearGoal({ actions }, { near: words }) {
       const distance = (/** @type {number} */ i) => Math.hypot(driving.x[i] - goal.x, driving.y[i] - goal.y);
       const at = indexAt(driving, time);
       const robot = { x: driving.x[at], y: driving.y[at], theta: driving.theta[at] };
-      const { x, y } = measured?.disturbed.sets ?? { x: [0], y: [0] };
+      const { x, y } = setsOf(measured);
       const far = 10 * reach;
       const [wide, high] = [x[0], y[0]].map((set) => Math.min(set * scale, far));
       render(
@@ -70,6 +71,14 @@ export function createNearGoal({ actions }, { near: words }) {
       );
     },
   };
+}
+
+/** The sets of Theorem 2, where it promises some. @param {import('../../parts/disturbance/request.js').Measured | null} measured */
+function setsOf(measured) {
+  const { law } = measured?.spec.experiment ?? {};
+  const isPromised =
+    measured && law && names.isPromised({ law, isPositive: arePositive(measured.spec.gains) });
+  return isPromised ? measured.disturbed.sets : { x: [0], y: [0] };
 }
 
 /** The number of its inequality, in the middle of a strip. @param {'x' | 'y'} part @param {number} angle Where the strip leads. */

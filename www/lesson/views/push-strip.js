@@ -30,7 +30,9 @@ const classes = /** @type {Record<string, string>} */ ({
   moving: 'of-moving',
 });
 const dashOf = (/** @type {string} */ term) =>
-  dashes[classes[term].replace('of-', '--')]?.join(' ') || nothing;
+  (dashes[classes[term].replace('of-', '--')] ?? dots).join(' ') || nothing;
+/** Of what no gain asks for. */
+const dots = [1, 2];
 const symbols = /** @type {const} */ ({ linear: ['v', 'of-energy'], angular: ['ω', 'of-omega'] });
 
 /** @param {Tools} tools @param {StripWords} words */

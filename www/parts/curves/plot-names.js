@@ -64,7 +64,7 @@ export const widestGap = rememberEach((/** @type {Run} */ { x, y }) => {
   return at;
 });
 
-/** Where x and y stand when their lines end as one and part before; beside them, on the far side. @param {Axes} axes @param {Run} run @returns {{ symbol: number, x: number, y: number }[]} */
+/** Where x and y stand when their lines end as one and part before: outside of them, or between where there is room. @param {Axes} axes @param {Run} run @returns {{ symbol: number, x: number, y: number }[]} */
 export function placesApart({ x, y, frame }, run) {
   const heightsAt = (/** @type {number} */ i) => [run.x, run.y].map((values) => y(values[i]));
   const apart = (/** @type {readonly number[]} */ [one, other]) => Math.abs(one - other);

@@ -84,19 +84,17 @@ export function createMap(root) {
 
 /** What stands for "none arrives", on the map and in its legend. @param {CanvasRenderingContext2D} context */
 export const hatch = (context) =>
-  hatching(context, colour('--unreached'), true, [
-    { colour: colour('--on-unreached'), alpha: 0.45, aside: 0 },
-  ]);
+  hatching(context, colour('--unreached'), 1, [{ colour: colour('--on-unreached'), alpha: 0.45, aside: 0 }]);
 
 /** What lies over the shade where fewer than half arrive: a light line beside a dark one, for every shade, and falling, because in grey a shade can be that of "none". @param {CanvasRenderingContext2D} context */
 export const hatchOver = (context) =>
-  hatching(context, 'transparent', false, [
+  hatching(context, 'transparent', -1, [
     { colour: light, alpha: 0.75, aside: 0 },
     { colour: dark, alpha: 0.35, aside: 1 },
   ]);
 
-/** @param {CanvasRenderingContext2D} context @param {string} ground @param {boolean} rises @param {{ colour: string, alpha: number, aside: number }[]} lines */
-function hatching(context, ground, rises, lines) {
+/** @param {CanvasRenderingContext2D} context @param {string} ground @param {1 | -1} slope @param {{ colour: string, alpha: number, aside: number }[]} lines */
+function hatching(context, ground, slope, lines) {
   const step = 6;
   const pixels = globalThis.devicePixelRatio || 1;
   const tile = document.createElement('canvas');
@@ -106,7 +104,7 @@ function hatching(context, ground, rises, lines) {
   on.fillStyle = ground;
   on.fillRect(0, 0, edge, edge);
   on.lineWidth = pixels * 0.8;
-  const [from, to] = rises ? [edge + 1, -1] : [-1, edge + 1];
+  const [from, to] = slope > 0 ? [edge + 1, -1] : [-1, edge + 1];
   for (const line of lines) {
     on.strokeStyle = line.colour;
     on.globalAlpha = line.alpha;

@@ -7,7 +7,7 @@ export const generation = {
   newborn: {
     /** @param {number} better @param {number} count */
     title: (better, count) =>
-      `Drives of ${count} offspring (pale: parents’). Below: J. Green, bold J: the better, ${better}.`,
+      `Drives of ${count} offspring (pale: their parents’). Below: J. Green, bold J: better, ${better}.`,
     /** @param {number} count */
     alone: (count) => `Drives of ${count} offspring. Below: J.`,
     /** @param {number} count */
