@@ -21,10 +21,11 @@ def load(path):
     module = types.ModuleType(path.stem)
     module.__file__ = str(path)
     try:
-        code = compile(path.read_bytes(), path, "exec")
+        text = path.read_bytes()
     except OSError as error:
         raise SystemExit(f"{path} cannot be read: {error.strerror}.")
-        exec(code, vars(module))
+    try:
+        exec(compile(text, path, "exec"), vars(module))
     except Exception:
         module.__dict__.clear()
     if not hasattr(module, "command"):
