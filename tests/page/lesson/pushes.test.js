@@ -147,3 +147,14 @@ engineTest('between its formula and its number a push has room, however wide let
   });
   assert.ok(Math.min(...widths) >= 60, widths.join(', '));
 });
+
+pageTest('what comes of a moving goal is dotted, for no gain asks for it', async (page) => {
+  await page.resize(1366, 768);
+  await page.open('#lesson&step=law&referenceVelocity.linear=0.5');
+  const { dots } = await page.until('its lines', () => {
+    const line = document.querySelector('.strip-curve[data-term="moving"]');
+    return line && { dots: line.getAttribute('stroke-dasharray') };
+  });
+  const gains = Object.values(dashes).map((dash) => dash.join(' ') || null);
+  assert.ok(!gains.includes(dots), String(dots));
+});
