@@ -1,4 +1,5 @@
 // Opens the page, once the words of its language are there.
+import './kit/translated.js';
 import { sayLoading } from './embed/frame.js';
 import { load } from './words/load.js';
 
