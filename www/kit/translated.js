@@ -3,6 +3,6 @@
 Object.defineProperty(HTMLFontElement.prototype, 'data', {
   configurable: true,
   set(text) {
-    this.textContent = text;
+    this.replaceWith(text);
   },
 });

@@ -38,7 +38,7 @@ function robotBar({ time, finalTime, playing, speed }, actions) {
       <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path class="when-paused" d="M4 2l10 6-10 6z"/><path class="when-playing" d="M3 2h4v12H3zM9 2h4v12H9z"/></svg>
     </button>
     ${selectOf('speed', texts.speed, strings.speeds, speed, (chosen) => actions.setSpeed(chosen))}
-    <span id="clock" class="clock">${text}</span>
+    <span id="clock" class="clock" translate="no">${text}</span>
     <input id="scrub" type="range" min="0" step=${scrubStep} aria-label=${texts.scrub} aria-valuetext=${text}
       .max=${String(finalTime)} .value=${live(String(time))} ${filled(finalTime > 0 ? time / finalTime : 1)}
       @input=${(/** @type {Event} */ event) => actions.scrub(Number(valueIn(event)))}>`;

@@ -97,7 +97,7 @@ export function createRow(gain, index, events, unit = '') {
       const isStale = !message && !typing && before?.value !== text;
       render(
         html`
-          <label for="gain-${id}">${gain.letter}<sub>${gain.index}</sub></label>
+          <label for="gain-${id}" translate="no">${gain.letter}<sub>${gain.index}</sub></label>
           <input id="slider-${id}" type="range" step="0.01" aria-label=${gain.name}
             aria-valuetext=${unit ? `${text} ${unit}` : nothing}
             .min=${String(low)} .max=${String(high)} .value=${live(String(value))} ${from} ${to} ${zero}

@@ -38,7 +38,7 @@ function createFrame({ path, symbol }, id, help, onBack) {
       element.classList.toggle('changed', isChanged);
       render(
         html`
-          <label for=${id}><span class="symbol ${symbol?.colour ?? ''}" lang="en" aria-hidden="true">${symbol?.letter}${
+          <label for=${id}><span translate="no" class="symbol ${symbol?.colour ?? ''}" lang="en" aria-hidden="true">${symbol?.letter}${
             symbol?.index ? html`<sub>${symbol.index}</sub>` : nothing
           }</span><span class="name">${name}</span></label>
           ${control}

@@ -79,6 +79,8 @@ const namespace = 'http://www.w3.org/1998/Math/MathML';
 export function mathml(tag, ...children) {
   const element = document.createElementNS(namespace, tag);
   element.append(...children);
+  // A browser that translates the page would take its letters for words.
+  if (tag === 'math') element.setAttribute('translate', 'no');
   return element;
 }
 

@@ -132,7 +132,7 @@ function column({ id, name, letter, index }, i, family, { share, wide, density }
   const spots = family.map(({ born, individual: { gains } }) => ({ x: x(gains[i]), y: downAt(share(born)) }));
   const sigmaOf = (/** @type {Ancestor | undefined} */ one) => one?.individual.sigmas[i] ?? 0;
   return html`<figure class=${id}>
-    <figcaption class="row"><span class="symbol ${id}" lang="en">${letter}<sub>${index}</sub></span>
+    <figcaption class="row"><span translate="no" class="symbol ${id}" lang="en">${letter}<sub>${index}</sub></span>
       <span class="muted">${words.sigma(sigmaOf(family[0]), sigmaOf(family.at(-1)))}</span></figcaption>
     <svg viewBox="0 0 100 ${height}" preserveAspectRatio="none" role="img" aria-label=${words.label(name, family, i)}>
       ${family.map(({ individual: { gains, sigmas } }, n) => svg`<path class="hill" d=${hillOf(gains[i], sigmas[i], spots[n].y, x, density)}></path>`)}

@@ -38,7 +38,7 @@ function rowOf(part, summary) {
   return html`
     <tr class=${part}>
       <th scope="row">
-        <span class="remains-formula">${formula(words.formulas[part])}<span>${words.axisUnit(part)}</span></span>
+        <span class="remains-formula" translate="no">${formula(words.formulas[part])}<span>${words.axisUnit(part)}</span></span>
         <div class="remains-plot layers" role="img" aria-label=${summary ? words.plotLabel(part, summary) : nothing}><canvas></canvas><canvas></canvas></div>
       </th>
       <td class=${(hasSet && numbers?.place) || ''}>${cell(numbers?.drive, summary?.disturbed ? words.sizeText(summary.calm[part].drive) : '')}</td>

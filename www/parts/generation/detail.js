@@ -19,11 +19,11 @@ export const gainRows = (className, row) =>
 
 /** @param {string} letter @param {number} i */
 export const symbol = (letter, i) =>
-  html`<span class="symbol ${lab.gains[i].id}">${letter}<sub>${lab.gains[i].index}</sub></span>`;
+  html`<span translate="no" class="symbol ${lab.gains[i].id}">${letter}<sub>${lab.gains[i].index}</sub></span>`;
 
 /** What is told of the next generation's. @param {string} letter @param {number} i */
 export const becoming = (letter, i) =>
-  html`<span class="symbol ${lab.gains[i].id}">${letter}<sub>${lab.gains[i].index}</sub>′</span> =`;
+  html`<span translate="no" class="symbol ${lab.gains[i].id}">${letter}<sub>${lab.gains[i].index}</sub>′</span> =`;
 
 /** What becomes of numbers that follow an arrow, and what is drawn, where that is not the paper's. @param {Anatomy} anatomy */
 export function rulesOf({ method, step, belowZero, sigmaFloor }) {

@@ -113,7 +113,7 @@ function sight(landscape, { spec, isTyping, evolving, readout, lowest, legend },
 
 /** The gain's letter in its colour, as in formulas. @param {typeof lab.gains[number]} gain */
 const symbolOf = ({ id, letter, index }) =>
-  html`<span class="symbol ${id}" lang="en">${letter}<sub>${index}</sub></span>`;
+  html`<span translate="no" class="symbol ${id}" lang="en">${letter}<sub>${index}</sub></span>`;
 
 const names = new RegExp(`(${lab.gains.map(({ name }) => name).join('|')})`);
 /** A sentence in which each gain is written so. @param {string} text */
@@ -138,7 +138,7 @@ function thirdGain(landscape, value, isTyping, { onThird, onFollows, redraw }) {
   const { third, thirdError } = landscape;
   const { id, name, letter, index } = lab.gains[thirdOf(landscape)];
   return html`
-    <label><span id="landscape-third-name" class="symbol ${id}" lang="en">${letter}<sub>${index}</sub></span>
+    <label><span id="landscape-third-name" translate="no" class="symbol ${id}" lang="en">${letter}<sub>${index}</sub></span>
       <input id="landscape-third" type="text" size="5" inputmode=${keysFor(true)} autocomplete="off" spellcheck="false"
         aria-label=${words.thirdLabel(name)} aria-describedby="landscape-third-error"
         aria-invalid=${String(thirdError !== '')} .value=${isTyping || thirdError ? noChange : live(lab.typed(value, 3))}

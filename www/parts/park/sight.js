@@ -54,7 +54,7 @@ function rowOf({ id, name, letter, index: sub }, index, model, on, after) {
   const { gains, driven, bred, isOwn, evolving, ends, endsBefore } = model;
   const [value, most] = [gains[index], ends[index]];
   return html`<div class="gain ${id}">
-    <label for="park-${id}">${letter}<sub>${sub}</sub> <span class="park-what">${words.whatFor[index]}</span></label>
+    <label for="park-${id}"><span translate="no">${letter}<sub>${sub}</sub></span> <span class="park-what">${words.whatFor[index]}</span></label>
     <input id="park-${id}" type="range" step="0.1" aria-label=${`${name}, ${words.whatFor[index]}`} min="0" max=${most}
       .value=${live(String(value))} .disabled=${evolving} ${styled('--from', '0%')} ${styled('--to', `${(100 * value) / most}%`)}
       @input=${(/** @type {Event} */ event) => on.slide(index, Number(valueIn(event)))}>

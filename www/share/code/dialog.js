@@ -57,8 +57,8 @@ export function createCode({ engine, store, links, sceneOf }, sheet) {
           @click=${() => copy('code-text', words.copied, words.notCopied).then(say)}>${texts.codeCopy}</button>
         <button id="code-save" type="button" @click=${() => download(file, type, text)}>${texts.codeSave}</button>
       </div>
-      <p class="code-file"><code id="code-file">${file}</code></p>
-      <pre id="code-text" class="code-text" tabindex="0" role="region" aria-label=${words.codeLabel(file)}>${tokensOf(
+      <p class="code-file"><code id="code-file" translate="no">${file}</code></p>
+      <pre id="code-text" class="code-text" translate="no" tabindex="0" role="region" aria-label=${words.codeLabel(file)}>${tokensOf(
         text,
         comment,
       ).map(([kind, part]) => (kind ? html`<span class=${kind}>${part}</span>` : part))}</pre>
