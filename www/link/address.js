@@ -12,7 +12,7 @@ import { tidyText } from '../kit/text.js';
 import { takeAlong, takeUp } from './crossing.js';
 import { createLanguageSwitch } from './language-switch.js';
 import { inLanguage, withExercise } from './link.js';
-import { keepLeft, takeLeft } from './reload.js';
+import { keepLeft, takeLeft, takeWork } from './reload.js';
 import { isEmpty } from '../run/exercise.js';
 import { asked, caughtUp, noTrial } from '../run/state.js';
 import { mostOfWho } from '../run/variant.js';
@@ -75,7 +75,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
     }
     written = asked;
     const { opened: run, problems } = links.openLink(asked || firstPage, engine, whoAsked());
-    const { opened, newest, evolving, kept } = takeUp(run);
+    const { opened, newest, evolving, kept } = takeUp(takeWork(run));
     place = placeOf(opened);
     if (kept) goOnAs(kept, actions);
     actions.openLinked(opened, problems, newest, evolving);
@@ -108,7 +108,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
   addEventListener('popstate', () => location.hash.slice(1) !== written && open());
   const problems = open();
   // What has not begun, and may be what somebody flees from, is not opened again.
-  keepLeft(() => (away.leaves || !isDue(store.get(), place) ? null : linkFor(store.get())), away);
+  keepLeft(() => (away.leaves || !isDue(store.get(), place) ? null : linkFor(store.get())), away, store.get);
 
   return {
     /** What was wrong with the first link, in words. */

@@ -1,10 +1,21 @@
 // A page that is loaded again, by somebody or by a telephone on its own, opens as it was left: its address tells of that only some
 // moments later.
+/** @import { Opened } from '../run/actions/page.js' */
+/** @import { State } from '../run/state.js' */
 import { isEmbedded } from '../kit/host.js';
 import { withStorage } from '../kit/tab.js';
+import { workId } from '../run/exercise.js';
 
 /** Each address has its own, for one may go back to another. */
 const prefix = 'ep-locomotion left ';
+/** Whose work on which exercise was left, and since when it lasted, by the machine's clock: the page's own begins anew. */
+const workKey = 'ep-locomotion work';
+
+/** Not where somebody goes to an address anew. */
+const isBack = () => {
+  const [entry] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType('navigation'));
+  return entry?.type !== 'navigate';
+};
 
 /** @param {Storage} storage @param {string} link */
 function forget(storage, link) {
@@ -12,18 +23,26 @@ function forget(storage, link) {
     if (key.startsWith(prefix) && storage.getItem(key) === link) storage.removeItem(key);
 }
 
+/** @param {Storage} storage @param {State} state */
+function keepWork(storage, state) {
+  const lasted = performance.now() - state.work.begun;
+  if (workId(state)) storage.setItem(workKey, JSON.stringify([workId(state), Date.now() - lasted]));
+}
+
 /**
  * Keeps it for this tab as long as nobody sees the page: what is hidden may end without a word. A figure keeps nothing.
  * @param {() => string | null} linkNow What is to be opened then; null, where the address says it.
  * @param {{ readonly replaced: string }} address The one before: that is loaded again where it was asked for just before it was replaced.
+ * @param {() => State} stateNow
  */
-export function keepLeft(linkNow, address) {
+export function keepLeft(linkNow, address, stateNow) {
   if (isEmbedded) return;
   let kept = '';
   const show = () => withStorage((storage) => forget(storage, kept));
   const keep = () => {
     show();
     withStorage((storage) => {
+      keepWork(storage, stateNow());
       kept = linkNow() ?? '';
       if (!kept) return;
       for (const href of [location.href, address.replaced]) if (href) storage.setItem(prefix + href, kept);
@@ -42,6 +61,14 @@ export function takeLeft() {
     if (link) forget(storage, link);
     return link;
   });
-  const [entry] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType('navigation'));
-  if (left && entry?.type !== 'navigate') history.replaceState(history.state, '', `#${left}`);
+  if (left && isBack()) history.replaceState(history.state, '', `#${left}`);
+}
+
+/** The work on an exercise goes on where the page is loaded again. @param {Opened} opened @returns {Opened} */
+export function takeWork(opened) {
+  if (isEmbedded || !isBack()) return opened;
+  const [id, since] = withStorage((storage) => JSON.parse(storage.getItem(workKey) ?? '[]')) ?? [];
+  if (!id || id !== workId(opened)) return opened;
+  const begun = performance.now() - Math.max(0, Date.now() - since);
+  return { ...opened, student: { ...opened.student, begun } };
 }

@@ -76,6 +76,10 @@ const stricter = (one, other) => ways[Math.max(ways.indexOf(one), ways.indexOf(o
 /** The exercise that the page shows: the link's, or the one in the making, which frees nothing of the link's. @param {Pick<State, 'exercise' | 'maker'>} state */
 export const shownExercise = ({ exercise, maker }) => (maker.open ? both(exercise, maker.draft) : exercise);
 
+/** Whose work on which exercise it is; empty where none is worked on. @param {{ exercise: Exercise, student: { who: string } }} run */
+export const workId = ({ exercise, student }) =>
+  isEmpty(exercise) ? '' : JSON.stringify([exercise, student.who]);
+
 /** There is something to do, and so something to hand in. @param {Exercise} exercise */
 export const asksSomething = ({ task, aim, vary }) =>
   tidyText(task) !== '' || aim !== null || vary.length > 0;

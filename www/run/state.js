@@ -14,7 +14,7 @@
 /** @typedef {{ start: Posture | null, disturbance: Disturbance | null }} Trial What a drive meets that evolution did not. */
 /** What an experiment that begins makes of the state, to which what is changed meanwhile is added. @typedef {Pick<State, 'experiment' | 'preset' | 'versions' | 'dragging'>} Next */
 /** What a worker computes: an experiment that begins, the next generation, or a recorded one. Since when, in milliseconds, and how much of it is done, if that is known. `next`: where a setting was changed; what a link opens is not changed before it is there, and a change takes its place. `generation`: the recorded one. @typedef {{ what: 'begin' | 'generation' | 'recorded', since: number, share: () => number | null, next?: Next, generation?: number }} Computing */
-/** What was done since a link was opened: gains that were tried by hand, one after the other, and drives of evolutions that were given up, or made before. `since` in milliseconds; `opened`: the generation that the link shows; `counted`: up to where evolution counts although it may not have come so far again. @typedef {{ tries: number, tried: string, spent: number, since: number, opened: number, counted: number }} Work */
+/** What was done since a link was opened: gains that were tried by hand, one after the other, and drives of evolutions that were given up, or made before. `since` in milliseconds, and `begun`, where that was before the link was opened once more; `opened`: the generation that the link shows; `counted`: up to where evolution counts although it may not have come so far again. @typedef {{ tries: number, tried: string, spent: number, since: number, begun: number, opened: number, counted: number }} Work */
 /** @typedef {{ time: number, held: number, playing: boolean }} RobotClock Seconds of the model; seconds waited at the end of a loop. */
 
 /**
@@ -82,14 +82,10 @@ export const nothingDone = Object.freeze({
 });
 
 /** @param {string} tried Gains that need no try. @param {number} [opened] @param {number} [spent] Drives that were made before. @returns {Work} */
-export const newWork = (tried, opened = 0, spent = 0) => ({
-  tries: 0,
-  tried,
-  spent,
-  since: performance.now(),
-  opened,
-  counted: opened,
-});
+export function newWork(tried, opened = 0, spent = 0) {
+  const since = performance.now();
+  return { tries: 0, tried, spent, since, begun: since, opened, counted: opened };
+}
 
 /** How many times evolution has driven by a generation. Those that are not yet made again count as many as the others did, which most methods do. The first is driven for whoever looks, and counts when there are more. @param {State['history']} history @param {number} generation */
 function drivenBy(history, generation) {

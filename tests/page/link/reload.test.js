@@ -86,3 +86,31 @@ pageTest('nor is anything lost where the page goes on while a slow server sends 
     await site.close();
   }
 });
+
+/** What the receipt says by now. @param {Page} page */
+async function minutes(page) {
+  await page.until('there is something to hand in', () => document.getElementById('hand-in'));
+  await page.click('#hand-in');
+  const text = await page.until(
+    'the receipt is there',
+    () => /** @type {HTMLTextAreaElement | null} */ (document.getElementById('handin-text'))?.value,
+  );
+  await page.press(Key.ESCAPE);
+  return /drives in (\d+) min/.exec(text)?.[1];
+}
+
+pageTest('the time of the work on an exercise goes on where the page is loaded again', async (page) => {
+  await page.open('#lab&v=1&drives=hand&gains=3.3,0,4.5&task=Few.&aim=J%3C9&who=s1');
+  assert.equal(await minutes(page), '0');
+  await page.evaluate(() => {
+    const now = performance.now.bind(performance);
+    performance.now = () => now() + 600_000;
+  });
+  assert.equal(await minutes(page), '10');
+  await page.driver.navigate().refresh();
+  assert.equal(await minutes(page), '10');
+  const again = await address(page);
+  await page.driver.get(page.site.blank);
+  await page.driver.get(again);
+  assert.equal(await minutes(page), '0');
+});

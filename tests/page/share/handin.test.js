@@ -81,8 +81,8 @@ test('a receipt of evolved gains names how they were found, and evolution finds 
   const { how, cost } = await receiptOf(tools, await opened(`${link}&evolution.method=de`));
   assert.deepEqual([how.method, Number.isFinite(cost)], ['de', true]);
   const state = await opened(link);
-  const since = performance.now() - 5 * 60_000;
-  assert.equal((await receiptOf(tools, { ...state, work: { ...state.work, since } })).minutes, 5);
+  const begun = performance.now() - 5 * 60_000;
+  assert.equal((await receiptOf(tools, { ...state, work: { ...state.work, begun } })).minutes, 5);
   const over = await receiptOf(tools, await opened(link.replace('1000', '819')));
   assert.equal(over.judged?.isMet, false);
 });

@@ -2,7 +2,7 @@
 /** @import { MakerState } from '../exercise.js' */
 /** @import { Disturbance, State } from '../state.js' */
 /** @import { Basis } from './basis.js' */
-import { isHiddenWithPaper, noExercise, shownExercise, wayOf } from '../exercise.js';
+import { isHiddenWithPaper, noExercise, shownExercise, wayOf, workId } from '../exercise.js';
 import { noErrors } from '../first.js';
 import { isFree } from '../guard.js';
 import { playsPhases } from '../pace.js';
@@ -35,12 +35,33 @@ const takesHand = ({ driver, handGains }, run) =>
 /** Whether a step of the lesson is opened, from another or from elsewhere. @param {State} before @param {Pick<LinkedRun, 'lesson'>} run */
 const entersStep = (before, { lesson }) => lesson > 0 && lesson !== before.lesson;
 
+/**
+ * The work on an exercise that is opened again, as by the way back, goes on: its time, and in the same experiment its drives.
+ * @param {State} left @param {Pick<LinkedRun, 'experiment' | 'handGains' | 'exercise' | 'student'>} run @param {number} generation
+ */
+function workOf(left, run, generation) {
+  const { handGains, student, experiment } = run;
+  const work = newWork(String(handGains), generation, student.spent);
+  // What was handed in is looked at.
+  if (student.handin || workId(run) === '') return work;
+  const begun = workId(run) === workId(left) ? left.work.begun : (student.begun ?? work.begun);
+  const isSame =
+    workId(run) === workId(left) && JSON.stringify(experiment) === JSON.stringify(left.experiment);
+  // The link may come from where more was done.
+  if (!isSame || spentOf({ ...left, generation }) < work.spent) return { ...work, begun };
+  // What has evolved here and is evolved again counts once.
+  const counted = Math.max(generation, left.history.length - 1, left.work.counted);
+  return { ...work, begun, counted, spent: spentOf({ ...left, generation: counted }) };
+}
+
 /** What a link holds takes the place of the run, or what is drawn for a student. @param {Basis} basis @param {(newest: number, generation: number, goesOn?: boolean) => void} catchUp */
 export function createOpening(basis, catchUp) {
   const { engine, store, places, attempt, forget, nextOf, tryToBegin, shown, newBox } = basis;
   const nearEnd = createNearEnd(basis);
   /** Nobody has seen what was there before. */
   let isFirst = true;
+  /** What was left for it, not that of a step of the lesson meanwhile. */
+  let left = store.get();
   /** What the part that is opened tries of it. @param {Pick<LinkedRun, 'page' | 'trial'>} run @param {Disturbance} tried */
   const trialOf = ({ page, trial }, tried) => {
     if (places.triesDisturbance(page)) return { ...trial, disturbance: tried };
@@ -59,6 +80,7 @@ export function createOpening(basis, catchUp) {
       store.update({ evolving: false });
       attempt(() => {
         const before = store.get();
+        if (before.lesson === 0 || workId(before) !== workId(left)) left = before;
         const tried = run.trial.disturbance ?? before.tried;
         const slices = places.slices.map((slice) => [slice.name, slice.opened(before, parts[slice.name])]);
         /** @type {Partial<State>} */
@@ -66,7 +88,7 @@ export function createOpening(basis, catchUp) {
           ...run,
           lastStep: run.lesson || before.lastStep,
           gainErrors: noErrors,
-          work: newWork(String(run.handGains), generation, run.student.spent),
+          work: workOf(left, { ...run, experiment }, generation),
           trial: trialOf(run, tried),
           tried,
           slices: { ...before.slices, ...Object.fromEntries(slices) },

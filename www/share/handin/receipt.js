@@ -92,7 +92,7 @@ export async function receiptOf({ engine, links, paper }, state, answers = {}) {
     parked,
     starts,
     drives: drivesOf(state),
-    minutes: Math.round((performance.now() - work.since) / 60_000),
+    minutes: Math.round((performance.now() - work.begun) / 60_000),
     program: engine.version(),
     exercise: exerciseId(exerciseLink(state, engine, links)),
     answers: answersText(answers),
