@@ -60,7 +60,7 @@ export function createOpening(basis, catchUp) {
   const nearEnd = createNearEnd(basis);
   /** Nobody has seen what was there before. */
   let isFirst = true;
-  /** What was left for it, not that of a step of the lesson meanwhile. */
+  /** The exercise that was left for it, not a step of the lesson meanwhile. */
   let left = store.get();
   /** What the part that is opened tries of it. @param {Pick<LinkedRun, 'page' | 'trial'>} run @param {Disturbance} tried */
   const trialOf = ({ page, trial }, tried) => {
@@ -80,7 +80,7 @@ export function createOpening(basis, catchUp) {
       store.update({ evolving: false });
       attempt(() => {
         const before = store.get();
-        if (before.lesson === 0 || workId(before) !== workId(left)) left = before;
+        if (workId(before) && (before.lesson === 0 || workId(before) !== workId(left))) left = before;
         const tried = run.trial.disturbance ?? before.tried;
         const slices = places.slices.map((slice) => [slice.name, slice.opened(before, parts[slice.name])]);
         /** @type {Partial<State>} */
