@@ -5,6 +5,7 @@
 /** @import { Store } from '../run/store.js' */
 /** @import { Slice } from '../run/store.js' */
 /** @import { Links } from './link.js' */
+/** @import { Language } from '../words/language.js' */
 import { canLoad, isEmbedded, leaving } from '../kit/host.js';
 import { pause } from '../kit/loop.js';
 import { watch } from '../kit/memo.js';
@@ -70,7 +71,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
     // The words are chosen when the page loads.
     if (spoken !== language) {
       const isThisRun = asked === other.pressed() || asked === linkFor(store.get(), spoken);
-      speak({ store, actions, slices }, away, isThisRun, () => written ?? linkFor(store.get()));
+      speak({ store, actions, slices }, away, isThisRun, (read) => linkNow(written, read));
       return [];
     }
     written = asked;
@@ -143,18 +144,26 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
   };
 }
 
-/** Loads the page in the language that its address has by now, unless there is no network, or it has another address meanwhile. @param {{ store: Store, actions: Actions, slices: readonly Slice<any>[] }} parts @param {{ leaves: boolean }} away @param {boolean} isThisRun @param {() => string} own The link of what stays. */
-async function speak({ store, actions, slices }, away, isThisRun, own) {
+/** Loads the page in the language that its address has by now, unless there is no network, or it has another address meanwhile. @param {{ store: Store, actions: Actions, slices: readonly Slice<any>[] }} parts @param {{ leaves: boolean }} away @param {boolean} isThisRun @param {(language: Language) => string} linkNow */
+async function speak({ store, actions, slices }, away, isThisRun, linkNow) {
   const asked = location.hash;
   away.leaves = true;
   const isThere = await canLoad();
-  if (isThere && location.hash === asked) {
-    if (isThisRun) crossOver(store.get(), slices);
+  if (location.hash !== asked) {
+    // Pressed once more, it is left from there.
+    away.leaves = languageOfAddress() !== language;
+    return;
+  }
+  if (isThere) {
+    if (isThisRun) {
+      // With what was done while one waited.
+      history.replaceState(null, '', `#${linkNow(languageOfAddress())}`);
+      crossOver(store.get(), slices);
+    }
     return location.reload();
   }
   away.leaves = false;
-  if (isThere) return;
-  history.replaceState(null, '', `#${own()}`);
+  history.replaceState(null, '', `#${linkNow(language)}`);
   actions.say(words.notLoaded);
 }
 

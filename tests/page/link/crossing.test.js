@@ -239,7 +239,7 @@ pageTest('generations after the one that is shown are there in the other languag
   });
 });
 
-pageTest('what changes while the page is being left takes nothing of that away', async (page) => {
+pageTest('what is done while the page is being left goes along, and takes nothing away', async (page) => {
   await page.open('#lab&v=1&generation=12');
   await page.focus('#timeline');
   await page.press(Key.HOME);
@@ -261,9 +261,9 @@ pageTest('what changes while the page is being left takes nothing of that away',
     });
   });
   await toKorean(page);
-  await page.until('all are there, and the first is shown', () => {
+  await page.until('all are there, and the one that was asked for last is shown', () => {
     const there = /** @type {HTMLInputElement} */ (document.getElementById('timeline'));
-    return there.max === '12' && document.getElementById('generation')?.textContent === '0';
+    return there.max === '12' && document.getElementById('generation')?.textContent === '1';
   });
 });
 

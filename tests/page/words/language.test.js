@@ -222,6 +222,30 @@ engineTest(
   },
 );
 
+pageTest(
+  'a language that is asked for twice, with something done in between, comes with all of it',
+  async (page) => {
+    await page.open('#lab&v=1&generation=3');
+    await page.evaluate(() => {
+      /** @type {((answer: Response) => void)[]} */
+      const asked = [];
+      window.fetch = () => new Promise((answer) => asked.push(answer));
+      addEventListener('keydown', () => asked.shift()?.(new Response('id="instrument"')));
+    });
+    await page.click('#language');
+    await page.click('#one-generation');
+    await page.until('it has evolved', () => document.getElementById('generation')?.textContent === '4');
+    await page.click('#language');
+    await page.press(Key.SHIFT);
+    await page.evaluate(() => pageFrames.settled());
+    await page.click('#page-curves');
+    await page.until('Curves is open', () => document.body.dataset.open === 'curves');
+    await page.press(Key.SHIFT);
+    await loaded(page, 'ko');
+    assert.match(await page.evaluate(() => location.hash), /^#curves&(?=.*lang=ko).*generation=4/);
+  },
+);
+
 /** What opens a table, by the link of where it is. */
 const tableButtons = Object.fromEntries(
   Object.entries(samples).flatMap(([name, { tables = {} }]) =>
