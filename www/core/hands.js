@@ -45,7 +45,7 @@ export function createHands(spawn, size, hear, lose) {
       event.preventDefault();
       // Another page in the place of its file is no script.
       if (event.message && !event.message.includes('SyntaxError')) hand.begun = true;
-      lose(hand, event.message || 'no reason is given');
+      lose(hand, event.message ?? '');
     });
     worker.addEventListener('messageerror', () => lose(hand, 'its answer cannot be read'));
     hands.add(hand);
@@ -96,6 +96,9 @@ function start(spawn) {
 /** @param {string} reason @param {unknown} [cause] */
 export const notStarted = (reason, cause) =>
   new Error(
-    `No worker can be started: ${reason.replace(/\.$/, '')}. The server that sends this page, or the frame that holds it, may forbid computing in the background (worker-src, sandbox), lack the file of it, or be out of reach; what needs no worker goes on.`,
+    `No worker can be started${because(reason.replace(/\.$/, ''))}. The server that sends this page, or the frame that holds it, may forbid computing in the background (worker-src, sandbox), be out of reach, or lack the file of it, as after a new version of the page; then reload the page, whose address brings back what is on screen. What needs no worker goes on.`,
     { cause },
   );
+
+/** Browsers give none where a file is not there. @param {string} reason */
+export const because = (reason) => reason && `: ${reason}`;

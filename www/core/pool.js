@@ -1,7 +1,7 @@
 // Runs long jobs part by part in plain Web Workers. Which worker does a part, and when, never shows in the result.
 /** @import { Hand, Said, WorkerLike } from './hands.js' */
 /** @import { Jobs } from './jobs.js' */
-import { createHands, notStarted } from './hands.js';
+import { because, createHands, notStarted } from './hands.js';
 
 /**
  * One call for each part, which is the list of its arguments.
@@ -172,7 +172,7 @@ function createQueue(spawn, size) {
     const { task, indices } = hand;
     hands.dismiss(hand);
     if (task && indices.some((index) => task.lost.has(index)))
-      fail(task, hand.begun ? new Error(`A worker was lost: ${reason}`) : notStarted(reason));
+      fail(task, hand.begun ? new Error(`A worker was lost${because(reason)}`) : notStarted(reason));
     else if (task && !task.ended) {
       for (const index of indices) task.lost.add(index);
       task.again.push(...indices);

@@ -221,7 +221,7 @@ for (const [what, break_] of /** @type {[string, (worker: Puppet) => void][]} */
       if (what !== 'cannot be started') workers[i].say({ life: null });
       break_(workers[i]);
     }
-    const why = what === 'cannot be started' ? /No worker can be started: no reason is/ : /worker was lost/;
+    const why = what === 'cannot be started' ? /No worker can be started\. The server / : /worker was lost/;
     await assert.rejects(failing, why);
     assert.deepEqual(given(), [[1], [2], [1]]);
     workers[1].finish();

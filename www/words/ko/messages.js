@@ -42,18 +42,20 @@ const known = [
     /^(.+?) must be (.+), but was (.+)$/s,
     (_, field, expected, found) => `${field}: 허용되는 값은 ${demanded(expected)}입니다. 입력값: ${found}.`,
   ],
-  [/^A worker was lost: (.*)$/s, (_, reason) => `계산을 맡은 워커가 멈추었습니다: ${said(reason)}`],
+  [/^A worker was lost(?:: (.*))?$/s, (_, reason) => `계산을 맡은 워커가 멈추었습니다${because(reason)}`],
   [
-    /^No worker can be started: (.*)\. The server [^:]*$/s,
+    /^No worker can be started(?:: (.*))?\. The server [^:]*$/s,
     (_, reason) =>
-      `워커를 시작할 수 없습니다: ${said(reason)}. 이 페이지를 보내는 서버나 이 페이지가 들어 있는 프레임이 백그라운드 계산을 금지했거나(worker-src, sandbox), 그 파일이 서버에 없거나, 서버에 연결되지 않을 수 있습니다. 워커가 필요 없는 것은 계속 쓸 수 있습니다.`,
+      `워커를 시작할 수 없습니다${because(reason)}. 이 페이지를 보내는 서버나 이 페이지가 들어 있는 프레임이 백그라운드 계산을 금지했거나(worker-src, sandbox), 서버에 연결되지 않거나, 새 버전이 나와 그 파일이 서버에 없을 수 있습니다. 새 버전이 나왔다면 페이지를 새로 고치십시오. 주소에 화면의 내용이 담겨 있어 그대로 돌아옵니다. 워커가 필요 없는 것은 계속 쓸 수 있습니다.`,
   ],
-  [/^no reason is given$/, () => '이유를 알 수 없음'],
   [/^it did not begin$/, () => '시작했다는 응답이 없음'],
   [/^an error in the core$/, () => '코어 내부 오류입니다'],
   [/^it was ended$/, () => '도중에 종료되었습니다'],
   [/^its answer cannot be read$/, () => '응답을 읽을 수 없습니다'],
 ];
+
+/** @param {string} [reason] */
+const because = (reason) => (reason ? `: ${said(reason)}` : '');
 
 /** @param {string} message */
 export const said = (message) =>
