@@ -22,6 +22,19 @@ test('while generations rush by, how far they have come is kept every second, ho
   assert.equal(asked.length, before + 1);
 });
 
+test('the time of a session is what has passed, whatever the clock of the machine is set to meanwhile', () => {
+  const { pass, putBack, leave, comeBack, time } = launch({});
+  pass(3_725_000);
+  putBack(7_200_000);
+  leave();
+  assert.equal(time(), '0001:02:05');
+  comeBack();
+  pass(61_000);
+  putBack(-7_200_000);
+  leave();
+  assert.equal(time(), '0000:01:01');
+});
+
 test('what the figure was asked before a hand-in is no work after it', () => {
   const { say, asked, answer, handIn, kept, pass } = launch({});
   say('drive');

@@ -12,8 +12,14 @@ const done = { met: true, points: 8, most: 10 };
 function createClock() {
   /** @type {{ id: number, at: number, act: () => void }[]} */
   let waiting = [];
-  let [now, last] = [0, 0];
+  let [now, last, wall] = [0, 0, 1e12];
   return {
+    performance: { now: () => now },
+    Date: { now: () => wall },
+    /** Of the machine, as somebody, or the network, sets it. @param {number} milliseconds */
+    putBack(milliseconds) {
+      wall -= milliseconds;
+    },
     /** @param {() => void} act @param {number} after */
     setTimeout(act, after) {
       last += 1;
@@ -27,6 +33,7 @@ function createClock() {
     /** @param {number} milliseconds */
     pass(milliseconds) {
       now += milliseconds;
+      wall += milliseconds;
       const due = waiting.filter(({ at }) => at <= now);
       waiting = waiting.filter(({ at }) => at > now);
       for (const { act } of due) act();
@@ -101,6 +108,7 @@ export function launch(values, windows = (api) => ({ API: api }), exercise = lin
     listeners.message({ source: figure.contentWindow, data: { ep: 1, type, ...more } });
   return {
     pass: clock.pass,
+    putBack: clock.putBack,
     say,
     asked,
     told: () => (told.hidden ? '' : told.textContent),
@@ -126,5 +134,6 @@ export function launch(values, windows = (api) => ({ API: api }), exercise = lin
     kept: () => cmi['cmi.suspend_data'].replace(/ [\da-f]{8}$/gm, ''),
     status: () => cmi['cmi.core.lesson_status'],
     score: () => cmi['cmi.core.score.raw'],
+    time: () => cmi['cmi.core.session_time'],
   };
 }

@@ -167,7 +167,7 @@
 
   function begin() {
     isOver = false;
-    begun = Date.now();
+    begun = performance.now();
     ask('LMSInitialize', '');
   }
 
@@ -178,7 +178,7 @@
   addEventListener('pagehide', () => {
     if (isOver) return;
     isOver = true;
-    const seconds = (Date.now() - begun) / 1000;
+    const seconds = (performance.now() - begun) / 1000;
     const two = (/** @type {number} */ value) => String(Math.floor(value)).padStart(2, '0');
     const hours = String(Math.min(9999, Math.floor(seconds / 3600))).padStart(4, '0');
     set('session_time', `${hours}:${two((seconds / 60) % 60)}:${two(seconds % 60)}`);
