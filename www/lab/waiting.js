@@ -19,7 +19,7 @@ export function createWaiting() {
         still.textContent = '';
         if (!(await loadPageAgain())) still.textContent = words.still;
       });
-      const failed = create('p', '', words.failed);
+      const failed = create('p', '', `${words.failed} ${words.anew}`);
       const box = { class: 'message part-failed', role: 'alert' };
       element.replaceChildren(create('div', box, failed, again, still));
     },

@@ -148,6 +148,36 @@ pageTest(
   },
 );
 
+pageTest('what writes a file says so where it cannot be loaded', async (page) => {
+  const site = await serve(undefined, {
+    send: (name, content) => (/(park|package)-[^/]*\.js$/.test(name) ? null : content),
+  });
+  const isSaid = (/** @type {string} */ place) =>
+    page.until(
+      'it is said',
+      (selector) => /불러오지 못했습니다.*나머지는/.test(document.querySelector(selector)?.textContent ?? ''),
+      place,
+    );
+  try {
+    await page.visit(`${site.address}#lesson&step=build&lang=ko`);
+    await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
+    await page.until('the step is there', () => document.getElementById('download-python'));
+    await page.click('#download-python');
+    await isSaid('.downloads .part-failed');
+    assert.equal(await page.text('#message'), '');
+    await page.click('#page-lab');
+    await page.click('#keep-button');
+    await page.until('Share is there', () => document.getElementById('keep-exercise'));
+    await page.click('#keep-exercise');
+    await page.until('the maker is open', () => document.getElementById('maker-scorm')?.checkVisibility());
+    await page.click('#maker-scorm');
+    await isSaid('#maker-status');
+  } finally {
+    await page.leave();
+    await site.close();
+  }
+});
+
 pageTest('a part that cannot be loaded says so, and all else goes on until it can', async (page) => {
   /** What is not sent. @type {(name: string, content: Buffer) => boolean} */
   let refuses = (name, content) => /page-.*\.js$/.test(name) && content.includes('luck-finding');

@@ -2,7 +2,7 @@
 import { html, render } from 'lit-html';
 import { create } from '../../kit/elements.js';
 import { download } from '../../kit/download.js';
-import { messageOf } from '../../words/errors.js';
+import { createWaiting } from '../../lab/waiting.js';
 import { tableOf } from './paper-table.js';
 
 /** @import { Engine, PaperResult } from '../../core/engine.js' */
@@ -33,15 +33,18 @@ const files = {
   'park.mjs': () => import('../files/park.mjs?raw'),
 };
 
-/** @param {Tools} tools @param {BuildWords} words @returns {Block} */
-export function createDownloads({ actions }, { downloads: words }) {
+/** @param {Tools} _tools @param {BuildWords} words @returns {Block} */
+export function createDownloads(_tools, { downloads: words }) {
   const element = create('div', 'downloads');
+  const waiting = createWaiting();
   const save = async (/** @type {keyof typeof files} */ name) => {
+    waiting.element.remove();
     try {
       const { default: text } = await files[name]();
       download(name, 'text/plain', text);
     } catch (error) {
-      actions.say(messageOf(error));
+      waiting.fail(error);
+      element.append(waiting.element);
     }
   };
   render(

@@ -6,6 +6,7 @@ import { html, nothing } from 'lit-html';
 import { download } from '../../kit/download.js';
 import { digitsOf } from '../../kit/hash.js';
 import { messageOf } from '../../words/errors.js';
+import { opening } from '../../words/index.js';
 import { language } from '../../words/language.js';
 import words from '../words/index.js';
 
@@ -37,9 +38,11 @@ export function createPackaging(say) {
 
   /** @param {string} link @param {Exercise} draft @param {Uint8Array} oneFile */
   async function write(link, draft, oneFile) {
+    const writer = await import('./package.js').catch(console.warn);
+    if (!writer) return say(opening.failed);
+    const { mostOfLink, packageOf } = writer;
     const task = tidyText(draft.task);
     const title = task.length > mostOfTitle ? `${task.slice(0, mostOfTitle)}…` : task || texts.scormTitle;
-    const { mostOfLink, packageOf } = await import('./package.js');
     const zip = await packageOf(link, oneFile, { language, title, ...scorm.sentences });
     download(`exercise-${digitsOf(link)}.zip`, 'application/zip', zip);
     asks = false;

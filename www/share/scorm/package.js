@@ -4,6 +4,8 @@ import { Zip, ZipDeflate, strToU8 } from 'fflate';
 import { digitsOf } from '../../kit/hash.js';
 import { createTurns } from '../../kit/loop.js';
 import { escaped } from '../../kit/markup.js';
+import page from './files/index.html?raw';
+import runtime from './files/runtime.js?raw';
 
 /** @typedef {{ language: string, title: string, refused: string, tooLong: string, noRoom: string, changed: string, kept: string, nobody: string }} Sentences What the package says by itself. */
 
@@ -39,16 +41,12 @@ ${names.map((name) => `      <file href="${name}"/>`).join('\n')}
  * The zip. The one file is given as it was built; a link is what follows the #.
  * @param {string} link @param {Uint8Array} oneFile @param {Sentences} texts @returns {Promise<Blob>}
  */
-export async function packageOf(link, oneFile, texts) {
-  const [page, runtime] = await Promise.all([
-    import('./files/index.html?raw'),
-    import('./files/runtime.js?raw'),
-  ]);
+export function packageOf(link, oneFile, texts) {
   const about = JSON.stringify({ link, texts }).replaceAll('<', '\\u003c');
   const files = new Map([
-    ['index.html', strToU8(page.default)],
+    ['index.html', strToU8(page)],
     ['exercise.js', strToU8(`globalThis.exercise = ${about};\n`)],
-    ['runtime.js', strToU8(runtime.default)],
+    ['runtime.js', strToU8(runtime)],
     ['ep-locomotion.html', oneFile],
   ]);
   const list = manifest(digitsOf(link), texts.title, [...files.keys()]);
