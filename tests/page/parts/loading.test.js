@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { parseHTML } from 'linkedom';
 import { askFor, createParts } from '../../../www/parts/load.js';
-import { pageTest } from '../harness/browsers.js';
+import { Key, pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { serve } from '../harness/server.js';
 
@@ -172,6 +172,22 @@ pageTest('what writes a file says so where it cannot be loaded', async (page) =>
     await page.until('the maker is open', () => document.getElementById('maker-scorm')?.checkVisibility());
     await page.click('#maker-scorm');
     await isSaid('#maker-status');
+  } finally {
+    await page.leave();
+    await site.close();
+  }
+});
+
+pageTest('what follows a try on Park says below the buttons where it cannot be loaded', async (page) => {
+  const site = await serve(undefined, {
+    send: (name, content) => (name.endsWith('.js') && content.includes('park-climb') ? null : content),
+  });
+  try {
+    await page.visit(`${site.address}#park`);
+    await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
+    await page.focus('#park-ky');
+    await page.press(Key.ARROW_RIGHT);
+    await page.until('it is said', () => document.querySelector('.park-bar + div > .part-failed'));
   } finally {
     await page.leave();
     await site.close();

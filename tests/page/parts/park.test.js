@@ -37,7 +37,7 @@ test('the count says whose robots drive', () => {
     tolerance: usual.tolerance,
   });
   const said = (/** @type {object} */ other) =>
-    written(sight({ ...model, ...other }, /** @type {any} */ ({ lesson: '', lab: null }), null));
+    written(sight({ ...model, ...other }, /** @type {any} */ ({ lesson: '', lab: null }), null, null));
   for (const state of [{ evolving: true }, { evolving: false }, { over: true }]) {
     const text = said(state);
     assert.ok(text.includes('best robot of generation 7') && !text.includes('with your numbers'), text);

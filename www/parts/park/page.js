@@ -37,7 +37,7 @@ export async function createPage(tools) {
   await pause();
   const play = createPlay(engine, store, paper, task);
   const size = followSize(plane, play.request);
-  const later = createLater(element, store.redraw, async () => {
+  const later = createLater(store.redraw, async () => {
     const { createAfter } = await afterWords([loadAfter], () => import('./after/page.js'));
     return createAfter(tools, task, play, { note, side, size });
   });
@@ -81,7 +81,7 @@ export async function createPage(tools) {
         tolerance: task.tolerance,
         population: task.population,
       };
-      const said = [parked, model.over && film, model.isOwn, after, shownExercise(state)];
+      const said = [parked, model.over && film, model.isOwn, after, later.failed(), shownExercise(state)];
       // Its links carry what stands beside Park as well.
       if (!changed(state.slices.park, ...said, ...links.carried(state))) return;
       plane.setAttribute('aria-label', words.planeLabel(parked, model.count));
@@ -92,7 +92,7 @@ export async function createPage(tools) {
         : null;
       const on = { ...play.on, lesson, lab };
       render(heading(model, after), head);
-      render(sight(model, on, after), side);
+      render(sight(model, on, after, later.failed()), side);
       after?.draw(state, model);
     },
   };
@@ -110,24 +110,27 @@ function createPlane() {
 }
 
 /**
- * What is loaded when it is asked for; where it cannot be, the element says so, and the rest goes on.
+ * What is loaded when it is asked for; where it cannot be, an element says so, and the rest goes on.
  * @template T
- * @param {HTMLElement} element @param {() => void} onLoaded @param {() => Promise<T>} load
+ * @param {() => void} onEnd @param {() => Promise<T>} load
  */
-function createLater(element, onLoaded, load) {
+function createLater(onEnd, load) {
   /** @type {T | null} */
   let there = null;
+  /** @type {HTMLElement | null} */
+  let failed = null;
   return {
     there: () => there,
+    failed: () => failed,
     bring: once(async () => {
       try {
         there = await load();
-        onLoaded();
       } catch (error) {
         const waiting = createWaiting();
-        element.append(waiting.element);
         waiting.fail(error);
+        failed = waiting.element;
       }
+      onEnd();
       return there;
     }),
   };

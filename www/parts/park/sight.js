@@ -28,8 +28,8 @@ function driverOf({ bred, isOwn, moved, between, population }, after) {
   return after && between ? after.walked(between) : words.swarm(newest.generation, population);
 }
 
-/** @param {Model} model @param {Events} on @param {After} after */
-export function sight(model, on, after) {
+/** @param {Model} model @param {Events} on @param {After} after @param {HTMLElement | null} failed Says that it cannot be there. */
+export function sight(model, on, after, failed) {
   const { film, parked, count, bred, evolving, over, message, isOwn } = model;
   const newest = bred.at(-1);
   return html`
@@ -41,6 +41,7 @@ export function sight(model, on, after) {
         @click=${evolving ? on.stop : on.evolve}>${evolving ? words.stop : newest ? words.otherSeed : words.evolve}</button>
       <button id="park-again" type="button" aria-disabled=${String(evolving || !over)} @click=${unless(evolving || !over, on.again)}>${words.again}</button>
     </p>
+    ${failed}
     ${message ? html`<p class="message" role="alert">${message}</p>` : nothing}
     ${newest ? after?.climb(model) : html`<p id="park-hint" class="muted">${model.moved || !model.isFree ? words.ready(model.population) : words.first}</p>`}
     ${newest && !evolving ? after?.comparison(model, newest, after.walk) : nothing}
