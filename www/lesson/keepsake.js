@@ -94,12 +94,17 @@ export function createKeepsake(store, engine) {
     /** @param {Progress} progress */
     follow(progress) {
       if (progress === kept) return;
-      // Other figures of the same tab keep their answers there too.
-      const answers = { ...keptByNow(engine).answers };
+      // Other figures of the same tab keep theirs there too; what was of this one, and is no more, is gone.
+      const others = keptByNow(engine);
+      const answers = { ...others.answers };
       for (const name of Object.keys(kept.answers)) delete answers[name];
       Object.assign(answers, progress.answers);
+      const own = [...progress.tallies, ...kept.tallies].map(({ experiment }) => experiment);
+      const driven = others.tallies.filter(({ experiment }) => !own.includes(experiment));
+      const tallies = [...progress.tallies, ...driven].slice(0, mostTallies);
+      const duel = progress.duel ?? (kept.duel ? null : others.duel);
       kept = progress;
-      withStorage((storage) => storage.setItem(key, textOf({ ...progress, answers })));
+      withStorage((storage) => storage.setItem(key, textOf({ ...progress, answers, tallies, duel })));
     },
   };
 }

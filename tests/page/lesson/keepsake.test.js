@@ -2,13 +2,14 @@
 import assert from 'node:assert/strict';
 import { Key } from 'selenium-webdriver';
 import { createKeepsake } from '../../../www/lesson/keepsake.js';
-import { noProgress, progressSlice } from '../../../www/lesson/state.js';
+import { noProgress, noTally, progressSlice } from '../../../www/lesson/state.js';
 import { createStore } from '../../../www/run/store.js';
-import { createEngine } from '../harness/core.js';
+import { createEngine, experiment as experimentOf } from '../harness/core.js';
 import { pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 
 const engine = createEngine();
+const experiment = experimentOf('velocity-limits');
 
 /** A figure of the tab, in which questions are answered. */
 function figure() {
@@ -16,6 +17,23 @@ function figure() {
   const { follow } = createKeepsake(store, engine);
   return {
     answered: () => Object.keys(progressSlice.of(store.get()).answers).sort(),
+    /** How often it drove in which experiment, the last driven first, and how often in the duel. */
+    driven() {
+      const { tallies, duel } = progressSlice.of(store.get());
+      return [tallies.map(({ experiment, drives }) => `${experiment} ${drives}`).join(), duel?.costs.length];
+    },
+    /** @param {Record<string, number>} drives @param {readonly number[] | null} [locked] J of each trial in a duel. */
+    drive(drives, locked = null) {
+      const tallies = Object.entries(drives).map(([name, count]) => ({
+        ...noTally,
+        experiment: name,
+        drives: count,
+        costs: Array.from({ length: count }, () => Number.POSITIVE_INFINITY),
+      }));
+      const duel = locked && { experiment, costs: locked, gains: null, rounds: [], goesOn: false };
+      progressSlice.update(store, { tallies, duel });
+      follow(progressSlice.of(store.get()));
+    },
     /** @param {Record<string, number>} given */
     answer(given) {
       const entries = Object.entries(given).map(([name, choice]) => [name, { choice, right: 1, why: '' }]);
@@ -25,7 +43,8 @@ function figure() {
   };
 }
 
-test('two figures in one tab keep the answers of both, and what one takes back is gone', (t) => {
+/** What a tab keeps. @param {import('node:test').TestContext} t */
+function withTab(t) {
   /** @type {Map<string, string>} */
   const kept = new Map();
   const sessionStorage = {
@@ -34,6 +53,10 @@ test('two figures in one tab keep the answers of both, and what one takes back i
   };
   Object.assign(globalThis, { sessionStorage });
   t.after(() => Reflect.deleteProperty(globalThis, 'sessionStorage'));
+}
+
+test('two figures in one tab keep the answers of both, and what one takes back is gone', (t) => {
+  withTab(t);
   const [one, other] = [figure(), figure()];
   assert.equal(figure().answered().length, Object.keys(noProgress.answers).length);
   one.answer({ 'drive.bolder': 1, 'law.sign': 0 });
@@ -41,6 +64,22 @@ test('two figures in one tab keep the answers of both, and what one takes back i
   assert.deepEqual(figure().answered(), ['cost.winner', 'drive.bolder', 'law.sign']);
   one.answer({ 'law.sign': 0 });
   assert.deepEqual(figure().answered(), ['cost.winner', 'law.sign']);
+});
+
+test('two figures in one tab keep the drives and the duel of both, and what one takes back is gone', (t) => {
+  withTab(t);
+  const [one, other] = [figure(), figure()];
+  one.drive({ a: 3, b: 1 }, [9, 8]);
+  other.drive({ c: 2 });
+  assert.deepEqual(figure().driven(), ['c 2,a 3,b 1', 2]);
+  other.answer({ 'cost.winner': 2 });
+  one.drive({ b: 1 });
+  assert.deepEqual(figure().driven(), ['b 1,c 2', undefined]);
+  other.drive({ c: 2, d: 1 }, [7]);
+  one.drive({ b: 2 });
+  assert.deepEqual(figure().driven(), ['b 2,c 2,d 1', 1]);
+  one.drive(Object.fromEntries([...'efghijk'].map((name) => [name, 1])));
+  assert.equal(String(figure().driven()), 'e 1,f 1,g 1,h 1,i 1,j 1,k 1,c 2,1');
 });
 
 pageTest(
