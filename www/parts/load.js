@@ -1,4 +1,4 @@
-// A part is loaded when it is opened first: its words and its page, side by side.
+// A part is loaded when it is opened first: its words, and after them its page, which finds them there (words/pick.js).
 /** @import { Page, Part, Tools } from './part.js' */
 import { byId } from '../kit/elements.js';
 import { pause } from '../kit/loop.js';
