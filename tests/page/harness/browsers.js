@@ -49,7 +49,11 @@ let site;
 const drivers = new Map();
 
 /** @typedef {(page: Page) => Promise<void>} Body The page is opened afresh, by the test itself or else at its first look. */
-/** @typedef {{ moves?: boolean }} Setting moves: the robots drive by themselves. Else the browser asks for less motion, as people can: a page that stands still until it is told to move takes far less time to draw. */
+/**
+ * @typedef {object} Setting
+ * @property {boolean} [moves] The robots drive by themselves. Else the browser asks for less motion, as people can: a page that stands still until it is told to move takes far less time to draw.
+ * @property {number} [least] In Chromium: no letter is smaller, in CSS pixels, as people can ask for.
+ */
 
 /** Declares a test of what the page does, the same in every engine: numbers, words, what leads where. @param {string} name @param {Body} body @param {Setting} [setting] */
 export function pageTest(name, body, setting) {
@@ -65,14 +69,14 @@ export function engineTest(name, body, setting) {
 const lightOf = (engine) => ({ ...engine, browser: engine.bare ?? engine.browser });
 
 /** @param {Engine} engine @param {string} name @param {Body} body @param {Setting} [setting] */
-function declare(engine, name, body, { moves = false } = {}) {
+function declare(engine, name, body, { moves = false, least = 0 } = {}) {
   test(`${engine.name}: ${name}`, { timeout: testTimeout }, async ({ signal }) => {
     site ??= startSite();
-    const key = `${engine.browser} ${moves}`;
+    const key = `${engine.browser} ${moves} ${least}`;
     let isOver = false;
     // What takes too long would go on in the page of the next test. The signal comes at the end of every test.
     signal.addEventListener('abort', () => isOver || drivers.delete(key));
-    const driver = drivers.get(key) ?? startBrowser(engine, moves);
+    const driver = drivers.get(key) ?? startBrowser(engine, moves, least);
     drivers.set(key, driver);
     const page = new Page(engine.name, await driver, await site);
     try {
@@ -93,12 +97,12 @@ async function startSite() {
   return started;
 }
 
-/** @param {Engine} engine @param {boolean} moves @returns {Promise<WebDriver>} */
-async function startBrowser(engine, moves) {
+/** @param {Engine} engine @param {boolean} moves @param {number} least @returns {Promise<WebDriver>} */
+async function startBrowser(engine, moves, least) {
   const folder = await mkdtemp(join(tmpdir(), 'ep-locomotion-'));
   endings.push(() => rm(folder, { recursive: true, maxRetries: 5 }));
   const screen = engine.name === 'webkit' ? await startScreen(moves, folder) : {};
-  const builder = new Builder().withCapabilities(capabilities(engine, moves, folder));
+  const builder = new Builder().withCapabilities(capabilities(engine, moves, least, folder));
   if (engine.driver !== null) {
     const [program, ...args] = amongEquals(engine.driver);
     const service = new DriverService.Builder(program)
@@ -122,8 +126,8 @@ function amongEquals(driver) {
   return isPossible ? ['setpriv', limit, driver] : [driver];
 }
 
-/** @param {Engine} engine @param {boolean} moves @param {string} folder Where the page's files are saved, not among those of whoever runs the tests. @returns {Record<string, unknown>} */
-function capabilities({ name, browser }, moves, folder) {
+/** @param {Engine} engine @param {boolean} moves @param {number} least @param {string} folder Where the page's files are saved, not among those of whoever runs the tests. @returns {Record<string, unknown>} */
+function capabilities({ name, browser }, moves, least, folder) {
   const asRoot = process.getuid?.() === 0;
   switch (name) {
     case 'chromium': {
@@ -132,6 +136,7 @@ function capabilities({ name, browser }, moves, folder) {
       // A busy machine can lose the animation by which a key scrolls: 8 of 600 End keys then did nothing, without it none of 800.
       args.push('--disable-smooth-scrolling');
       if (!moves) args.push('--force-prefers-reduced-motion');
+      if (least) args.push(`--blink-settings=minimumFontSize=${least},minimumLogicalFontSize=${least}`);
       // Its sandbox does not run as root, which is who runs in most containers.
       if (asRoot) args.push('--no-sandbox');
       return {

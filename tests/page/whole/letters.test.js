@@ -1,7 +1,8 @@
-// Where the reader has letters twice as large.
+// Where the reader has larger letters.
 import assert from 'node:assert/strict';
 import { pageTest } from '../harness/browsers.js';
-import { excess, follow } from './surround.js';
+import { cluttered } from './cluttered.js';
+import { excess, follow, overlapping } from './surround.js';
 import { views } from './views.js';
 
 pageTest('with letters twice as large nothing leads out of a telephone’s width', async (page) => {
@@ -60,3 +61,35 @@ pageTest('with letters twice as large no choice of the contest cuts its words', 
   assert.ok(cut.length > 0);
   for (const lines of cut) assert.ok(lines >= 1.15, `${lines} of a letter’s height`);
 });
+
+/** Flaws in these views. @param {import('../harness/browsers.js').Page} page @param {string[]} links @param {() => string[]} look */
+async function flawsIn(page, links, look) {
+  /** @type {string[]} */
+  const found = [];
+  for (const link of links) {
+    await follow(page, link);
+    for (const flaw of [...(await page.evaluate(cluttered)), ...(await page.evaluate(look))])
+      found.push(`${link}: ${flaw}`);
+  }
+  return found.join('\n');
+}
+
+pageTest(
+  'where no letter is smaller than 20 px no text lies on another or on a slider',
+  async (page) => {
+    if (page.engine !== 'chromium') return;
+    await page.resize(1280, 1024);
+    await page.open();
+    const links = ['training', 'generation&generation=2', 'lesson&step=4', 'robustness'];
+    const found = await flawsIn(page, links, () =>
+      ['.clock', '.training-gains', '.training-table th'].flatMap((selector) =>
+        [...document.querySelectorAll(selector)]
+          .filter((one) => one.checkVisibility() && one.scrollWidth > one.clientWidth + 1)
+          .map((one) => `“${one.textContent?.trim()}” needs ${one.scrollWidth} px of ${one.clientWidth}`),
+      ),
+    );
+    assert.equal(found, '');
+    assert.deepEqual(await page.evaluate(overlapping, '.survey-ring, .robustness > .readout'), []);
+  },
+  { least: 20 },
+);
