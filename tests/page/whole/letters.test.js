@@ -93,3 +93,37 @@ pageTest(
   },
   { least: 20 },
 );
+
+pageTest(
+  'with letters twice as large the symbols of a picture and the ways of the lesson stay in place',
+  async (page) => {
+    if (page.engine !== 'chromium') return;
+    await page.resize(1280, 1024);
+    await page.open();
+    await page.evaluate(() => {
+      document.documentElement.style.fontSize = '200%';
+    });
+    const found = await flawsIn(page, ['generation&v=1&generation=2', 'lesson&step=4'], () => {
+      const boxOf = (/** @type {Node} */ one) => {
+        const range = document.createRange();
+        range.selectNodeContents(one);
+        return range.getBoundingClientRect();
+      };
+      const [above, symbol] = [
+        ...document.querySelectorAll('.generation-picture :is(.limit + text, .symbol)'),
+      ].map(boxOf);
+      const lying = above && above.bottom > symbol.top ? ['the symbol lies on what stands above it'] : [];
+      const middle = (/** @type {DOMRect} */ { top, bottom }) => (top + bottom) / 2;
+      const list = document.querySelector('#lesson-step');
+      const ways = list ? [...document.querySelectorAll('.lesson-way[href]')] : [];
+      const aside = ways.map(
+        (one) => middle(boxOf(one)) - middle(/** @type {Element} */ (list).getBoundingClientRect()),
+      );
+      return [
+        ...lying,
+        ...aside.filter((by) => Math.abs(by) > 4).map((by) => `a way stands ${by} px lower than the list`),
+      ];
+    });
+    assert.equal(found, '');
+  },
+);
