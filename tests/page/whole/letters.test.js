@@ -1,4 +1,4 @@
-// Where the reader has larger letters.
+// Where the reader has larger letters, or more space between them.
 import assert from 'node:assert/strict';
 import { pageTest } from '../harness/browsers.js';
 import { cluttered } from './cluttered.js';
@@ -127,3 +127,36 @@ pageTest(
     assert.equal(found, '');
   },
 );
+
+pageTest('with more space between letters, words, and lines no text of a chart is cut', async (page) => {
+  if (page.engine !== 'chromium') return;
+  await page.resize(1280, 1024);
+  await page.open();
+  await page.evaluate(() => {
+    // The page takes no style that is written into it.
+    const sheet = new CSSStyleSheet();
+    sheet.replaceSync(`* { line-height: 1.5 !important; letter-spacing: 0.12em !important; word-spacing: 0.16em !important; }
+      p { margin-bottom: 2em !important; }`);
+    document.adoptedStyleSheets.push(sheet);
+    const { fillText } = CanvasRenderingContext2D.prototype;
+    /** @type {Set<string>} */
+    const cut = new Set();
+    Object.assign(window, { cut });
+    CanvasRenderingContext2D.prototype.fillText = function (text, x, y) {
+      const { actualBoundingBoxLeft: left, actualBoundingBoxRight: right } = this.measureText(text);
+      const [from, to] = [-left, right].map(
+        (side) => this.getTransform().transformPoint({ x: x + side, y }).x,
+      );
+      if (from < -1 || to > this.canvas.width + 1) cut.add(`“${text}” is cut`);
+      fillText.call(this, text, x, y);
+    };
+  });
+  const links = ['lab&v=1', 'curves&v=1', 'luck&luck=contest', 'generation&v=1&generation=2'];
+  const found = await flawsIn(page, links, () => {
+    const { cut } = /** @type {any} */ (window);
+    const all = [...cut];
+    cut.clear();
+    return all;
+  });
+  assert.equal(found, '');
+});
