@@ -158,3 +158,13 @@ pageTest('what comes of a moving goal is dotted, for no gain asks for it', async
   const gains = Object.values(dashes).map((dash) => dash.join(' ') || null);
   assert.ok(!gains.includes(dots), String(dots));
 });
+
+engineTest('the numbers of the pushes have room, however wide an engine sets formulas', async (page) => {
+  await page.resize(1280, 800);
+  await page.open('#lesson&step=3');
+  const [needs, has] = await page.until('the pushes are there', () => {
+    const table = document.querySelector('.pushes');
+    return table && table.clientWidth > 0 && [table.scrollWidth, table.clientWidth];
+  });
+  assert.ok(needs <= has, `${needs} px of ${has}`);
+});
