@@ -1,5 +1,5 @@
 // Answers and drives outlast a reload of the tab.
-import { withStorage } from '../kit/tab.js';
+import { isBack, withStorage } from '../kit/tab.js';
 import { language } from '../words/language.js';
 import { mostTallies } from './duel/tally.js';
 import { noProgress, noTally, progressSlice } from './state.js';
@@ -65,8 +65,7 @@ export function createPlace(article, lesson) {
       storage.setItem(placeKey, JSON.stringify([lesson(), ...scrolled.map(({ scrollTop }) => scrollTop)])),
     ),
   );
-  const [entry] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType('navigation'));
-  let before = entry?.type === 'navigate' ? null : withStorage((storage) => storage.getItem(placeKey));
+  let before = isBack() ? withStorage((storage) => storage.getItem(placeKey)) : null;
   /** To the place where one was in this step, once, or to its beginning. @param {number} step */
   return (step) => {
     const [kept, ...tops] = /^\[[\d.,]+\]$/.test(before ?? '') ? JSON.parse(before ?? '') : [];
@@ -89,7 +88,10 @@ function keptByNow(engine) {
 export function createKeepsake(store, engine) {
   let kept = progressSlice.of(store.get());
   const before = keptByNow(engine);
-  if (before !== noProgress && kept === noProgress) progressSlice.update(store, before);
+  if (before !== noProgress && kept === noProgress) {
+    progressSlice.update(store, before);
+    kept = progressSlice.of(store.get());
+  }
   return {
     /** @param {Progress} progress */
     follow(progress) {
@@ -99,10 +101,14 @@ export function createKeepsake(store, engine) {
       const answers = { ...others.answers };
       for (const name of Object.keys(kept.answers)) delete answers[name];
       Object.assign(answers, progress.answers);
-      const own = [...progress.tallies, ...kept.tallies].map(({ experiment }) => experiment);
-      const driven = others.tallies.filter(({ experiment }) => !own.includes(experiment));
-      const tallies = [...progress.tallies, ...driven].slice(0, mostTallies);
-      const duel = progress.duel ?? (kept.duel ? null : others.duel);
+      const byOthers = (/** @type {Tally} */ { experiment }) =>
+        others.tallies.find((one) => one.experiment === experiment);
+      // What stands as it did here may have gone on there.
+      const own = progress.tallies.map((one) => (kept.tallies.includes(one) && byOthers(one)) || one);
+      const known = [...own, ...kept.tallies].map(({ experiment }) => experiment);
+      const driven = others.tallies.filter(({ experiment }) => !known.includes(experiment));
+      const tallies = [...own, ...driven].slice(0, mostTallies);
+      const duel = (progress.duel === kept.duel && others.duel) || progress.duel;
       kept = progress;
       withStorage((storage) => storage.setItem(key, textOf({ ...progress, answers, tallies, duel })));
     },

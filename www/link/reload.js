@@ -3,19 +3,13 @@
 /** @import { Opened } from '../run/actions/page.js' */
 /** @import { State } from '../run/state.js' */
 import { isEmbedded } from '../kit/host.js';
-import { withStorage } from '../kit/tab.js';
+import { isBack, withStorage } from '../kit/tab.js';
 import { workId } from '../run/exercise.js';
 
 /** Each address has its own, for one may go back to another. */
 const prefix = 'ep-locomotion left ';
 /** Whose work on which exercise was left, and since when it lasted, by the machine's clock: the page's own begins anew. */
 const workKey = 'ep-locomotion work';
-
-/** Not where somebody goes to an address anew. */
-const isBack = () => {
-  const [entry] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType('navigation'));
-  return entry?.type !== 'navigate';
-};
 
 /** @param {Storage} storage @param {string} link */
 function forget(storage, link) {

@@ -2,6 +2,7 @@
 /** @import { Aim, Scale } from './aim.js' */
 /** @import { State } from './state.js' */
 /** @import { Varied } from './variant.js' */
+import { digitsOf } from '../kit/hash.js';
 import { remember } from '../kit/memo.js';
 import { tidyText } from '../kit/text.js';
 
@@ -76,9 +77,12 @@ const stricter = (one, other) => ways[Math.max(ways.indexOf(one), ways.indexOf(o
 /** The exercise that the page shows: the link's, or the one in the making, which frees nothing of the link's. @param {Pick<State, 'exercise' | 'maker'>} state */
 export const shownExercise = ({ exercise, maker }) => (maker.open ? both(exercise, maker.draft) : exercise);
 
-/** Whose work on which exercise it is; empty where none is worked on. @param {{ exercise: Exercise, student: { who: string } }} run */
-export const workId = ({ exercise, student }) =>
-  isEmpty(exercise) ? '' : JSON.stringify([exercise, student.who]);
+/** Digits for whose work on which exercise it is; none where no exercise is worked on. Seeds may be free. @param {Pick<State, 'exercise' | 'student'>} run */
+export function workId({ exercise, student: { who, base } }) {
+  if (isEmpty(exercise)) return '';
+  const own = [exercise, who, base?.experiment];
+  return digitsOf(JSON.stringify(own, (key, value) => (key === 'seed' ? 0 : value)));
+}
 
 /** There is something to do, and so something to hand in. @param {Exercise} exercise */
 export const asksSomething = ({ task, aim, vary }) =>

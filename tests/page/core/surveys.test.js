@@ -201,7 +201,7 @@ engineTest('where workers are forbidden, a job says that they cannot be started'
     const { engine } = /** @type {EngineWindow} */ (/** @type {unknown} */ (window));
     return engine.surveys.evolve(engine.experiment('velocity-limits'), 1).catch((error) => error.message);
   });
-  assert.match(message, /^No worker can be started: .*worker-src/s);
+  assert.match(message, /^No worker can be started[.:].*worker-src/s);
 });
 
 engineTest('the whole page in one file from a disk drives, evolves and draws its landscape', async (page) => {

@@ -82,6 +82,16 @@ test('two figures in one tab keep the drives and the duel of both, and what one 
   assert.equal(String(figure().driven()), 'e 1,f 1,g 1,h 1,i 1,j 1,k 1,c 2,1');
 });
 
+test('a figure that opened with what another had done does not write that over what it did since', (t) => {
+  withTab(t);
+  const one = figure();
+  one.drive({ a: 2 }, [9]);
+  const other = figure();
+  one.drive({ a: 4 }, [9, 8]);
+  other.answer({ 'cost.winner': 2 });
+  assert.deepEqual(figure().driven(), ['a 4', 2]);
+});
+
 pageTest(
   'answers are handed in also where the page was loaded again while no step was open',
   async (page) => {

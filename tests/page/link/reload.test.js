@@ -96,21 +96,21 @@ async function minutes(page) {
     () => /** @type {HTMLTextAreaElement | null} */ (document.getElementById('handin-text'))?.value,
   );
   await page.press(Key.ESCAPE);
-  return /drives in (\d+) min/.exec(text)?.[1];
+  return Number(/drives in (\d+) min/.exec(text)?.[1]);
 }
 
 pageTest('the time of the work on an exercise goes on where the page is loaded again', async (page) => {
   await page.open('#lab&v=1&drives=hand&gains=3.3,0,4.5&task=Few.&aim=J%3C9&who=s1');
-  assert.equal(await minutes(page), '0');
+  assert.ok((await minutes(page)) < 500);
   await page.evaluate(() => {
     const now = performance.now.bind(performance);
-    performance.now = () => now() + 600_000;
+    performance.now = () => now() + 60_000_000;
   });
-  assert.equal(await minutes(page), '10');
+  assert.ok((await minutes(page)) >= 1000);
   await page.driver.navigate().refresh();
-  assert.equal(await minutes(page), '10');
+  assert.ok((await minutes(page)) >= 1000);
   const again = await address(page);
   await page.driver.get(page.site.blank);
   await page.driver.get(again);
-  assert.equal(await minutes(page), '0');
+  assert.ok((await minutes(page)) < 500);
 });

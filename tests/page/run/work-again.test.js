@@ -57,16 +57,49 @@ test('generations that are evolved once more count once', () => {
   assert.equal(drives(run), before + 20);
 });
 
+test('what was driven counts on also after another seed, beside the lesson, and by the way over another exercise', () => {
+  const run = pageOf(budget);
+  tryGains(run, 3);
+  run.actions.newSeed();
+  for (let i = 0; i < 10; i += 1) run.actions.forward();
+  const before = drives(run);
+  assert.ok(before > 200);
+  run.open(budget);
+  assert.equal(drives(run), before);
+
+  const beside = pageOf(`${free}&lesson=2`);
+  for (const made of [2, 4]) {
+    tryGains(beside, 2);
+    beside.open(`${free}&lesson=2`);
+    assert.equal(drives(beside), made);
+  }
+
+  const over = pageOf(free);
+  const begun = beginEarlier(over);
+  tryGains(over, 3);
+  over.open(free.replace('Few', 'Fewer'));
+  // A receipt is looked at, and leaves what was done.
+  over.open(`${free}&handin=1~7.9`);
+  over.open(free);
+  assert.deepEqual([drives(over), over.store.get().work.begun], [3, begun]);
+});
+
 test('a link that knows of more is believed', () => {
   const run = pageOf(budget);
   tryGains(run, 2);
   run.open(`${budget}&spent=7`);
   assert.equal(drives(run), 7);
+  // What was tried here counts beside generations that were made elsewhere.
+  const other = pageOf(budget);
+  tryGains(other, 3);
+  other.open(`${budget}&generation=4`);
+  assert.equal(drives(other), 103);
 });
 
 test('another exercise, another person, no exercise, and what was handed in begin anew', () => {
   for (const [from, to] of [
     [free, free.replace('Few', 'Fewer')],
+    [free, `${free}&goal.x=1`],
     [`${free}&who=s1`, `${free}&who=s2`],
     ['lab&v=1&drives=hand&gains=3,1,5', 'lab&v=1&drives=hand&gains=3,1,5'],
     [free, `${free}&handin=1~7.9`],

@@ -109,12 +109,14 @@ pageTest(
         range.selectNodeContents(one);
         return range.getBoundingClientRect();
       };
-      const [above, symbol] = [
-        ...document.querySelectorAll('.generation-picture :is(.limit + text, .symbol)'),
-      ].map(boxOf);
-      const lying = above && above.bottom > symbol.top ? ['the symbol lies on what stands above it'] : [];
-      const middle = (/** @type {DOMRect} */ { top, bottom }) => (top + bottom) / 2;
       const list = document.querySelector('#lesson-step');
+      const [above, symbol] = ['.limit + text', '.symbol'].map((one) =>
+        document.querySelector(`.generation-picture ${one}`),
+      );
+      if (!list && !(above && symbol)) return ['nothing to look at'];
+      const isLying = above && symbol && boxOf(above).bottom > boxOf(symbol).top;
+      const lying = isLying ? ['the symbol lies on what stands above it'] : [];
+      const middle = (/** @type {DOMRect} */ { top, bottom }) => (top + bottom) / 2;
       const ways = list ? [...document.querySelectorAll('.lesson-way[href]')] : [];
       const aside = ways.map(
         (one) => middle(boxOf(one)) - middle(/** @type {Element} */ (list).getBoundingClientRect()),

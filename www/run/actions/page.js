@@ -36,21 +36,21 @@ const takesHand = ({ driver, handGains }, run) =>
 const entersStep = (before, { lesson }) => lesson > 0 && lesson !== before.lesson;
 
 /**
- * The work on an exercise that is opened again, as by the way back, goes on: its time, and in the same experiment its drives.
- * @param {State} left @param {Pick<LinkedRun, 'experiment' | 'handGains' | 'exercise' | 'student'>} run @param {number} generation
+ * The work on an exercise that is opened again, as by the way back, goes on: its time and its drives.
+ * @param {State | undefined} left @param {Pick<LinkedRun, 'experiment' | 'handGains' | 'student'>} run @param {number} generation
  */
-function workOf(left, run, generation) {
-  const { handGains, student, experiment } = run;
+function workOf(left, { handGains, student, experiment }, generation) {
   const work = newWork(String(handGains), generation, student.spent);
   // What was handed in is looked at.
-  if (student.handin || workId(run) === '') return work;
-  const begun = workId(run) === workId(left) ? left.work.begun : (student.begun ?? work.begun);
-  const isSame =
-    workId(run) === workId(left) && JSON.stringify(experiment) === JSON.stringify(left.experiment);
+  if (student.handin) return work;
+  if (!left) return { ...work, begun: student.begun ?? work.begun };
+  const { begun, tries } = left.work;
   // The link may come from where more was done.
-  if (!isSame || spentOf({ ...left, generation }) < work.spent) return { ...work, begun };
+  const least = Math.max(work.spent, tries * left.experiment.starts.length);
+  if (spentOf({ ...left, generation }) < least) return { ...work, begun, spent: least };
   // What has evolved here and is evolved again counts once.
-  const counted = Math.max(generation, left.history.length - 1, left.work.counted);
+  const isSame = JSON.stringify(experiment) === JSON.stringify(left.experiment);
+  const counted = isSame ? Math.max(generation, left.history.length - 1, left.work.counted) : generation;
   return { ...work, begun, counted, spent: spentOf({ ...left, generation: counted }) };
 }
 
@@ -60,8 +60,8 @@ export function createOpening(basis, catchUp) {
   const nearEnd = createNearEnd(basis);
   /** Nobody has seen what was there before. */
   let isFirst = true;
-  /** The exercise that was left for it, not a step of the lesson meanwhile. */
-  let left = store.get();
+  /** Each exercise as it was left, not a step of the lesson meanwhile. @type {Map<string, State>} */
+  const left = new Map();
   /** What the part that is opened tries of it. @param {Pick<LinkedRun, 'page' | 'trial'>} run @param {Disturbance} tried */
   const trialOf = ({ page, trial }, tried) => {
     if (places.triesDisturbance(page)) return { ...trial, disturbance: tried };
@@ -80,7 +80,9 @@ export function createOpening(basis, catchUp) {
       store.update({ evolving: false });
       attempt(() => {
         const before = store.get();
-        if (workId(before) && (before.lesson === 0 || workId(before) !== workId(left))) left = before;
+        const id = workId(before);
+        if (id && !before.student.handin && (before.lesson === 0 || left.get(id)?.lesson !== 0))
+          left.set(id, before);
         const tried = run.trial.disturbance ?? before.tried;
         const slices = places.slices.map((slice) => [slice.name, slice.opened(before, parts[slice.name])]);
         /** @type {Partial<State>} */
@@ -88,7 +90,7 @@ export function createOpening(basis, catchUp) {
           ...run,
           lastStep: run.lesson || before.lastStep,
           gainErrors: noErrors,
-          work: workOf(left, { ...run, experiment }, generation),
+          work: workOf(left.get(workId(run)), { ...run, experiment }, generation),
           trial: trialOf(run, tried),
           tried,
           slices: { ...before.slices, ...Object.fromEntries(slices) },

@@ -90,6 +90,6 @@ function readingsOf(run, law, i) {
   const texts = [words.amount(lyapunov), ...words.amounts(rates)];
   return readings.map(
     ([id], n) =>
-      html`<div class=${id}><dt translate="no">${formula(words.terms[law][id])}</dt><dd id="stability-${id}">${texts[n]}</dd></div>`,
+      html`<div class=${id}><dt>${formula(words.terms[law][id])}</dt><dd id="stability-${id}">${texts[n]}</dd></div>`,
   );
 }
