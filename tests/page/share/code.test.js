@@ -227,6 +227,8 @@ pageTest(
     await page.until('Share', () => document.getElementById('keep-code'));
     await page.click('#keep-code');
     await page.until('the code', () => document.getElementById('code-text'));
+    // What is copied would be what a browser has translated.
+    assert.equal(await page.evaluate(() => document.getElementById('code-text')?.translate), false);
     const { gains } = evolve(experiment({ evolution: { seed: 5 } }), 6);
     const [run] = drive(experiment('velocity-limits'), [/** @type {Triple} */ ([...gains])]);
     for (const language of names) {
