@@ -1,6 +1,6 @@
 // Line charts on canvases: axes, lines, bands and a cursor. Names at the lines are in names.js.
 import { circle, createLayer, sharpLine } from './canvas.js';
-import { followSize } from './elements.js';
+import { followSize } from './size.js';
 import { outlineOf } from './extent.js';
 import { setLettering } from './lettering.js';
 import { standingFree } from './names.js';

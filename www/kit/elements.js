@@ -38,34 +38,3 @@ export function write(element, text) {
 export function onCapture(types, act) {
   for (const type of types) addEventListener(type, act, { capture: true });
 }
-
-/** The size of an element in pixels, kept up to date. @param {HTMLElement} element @param {(size: { width: number, height: number }) => void} onResize */
-export function followSize(element, onResize) {
-  let size = { width: 0, height: 0 };
-  let density = devicePixelRatio;
-  const measure = () => {
-    size = { width: element.clientWidth, height: element.clientHeight };
-    density = devicePixelRatio;
-    onResize(size);
-  };
-  // In the next frame: what is drawn now might change a size that is being told.
-  new ResizeObserver(() => requestAnimationFrame(measure)).observe(element);
-  measures.set(element, () => {
-    if (density !== devicePixelRatio) measure();
-  });
-  followed.add(new WeakRef(element));
-  return () => size;
-}
-
-/** What is followed, as long as anybody else holds it: a step of the lesson makes its pictures anew at every visit. @type {Set<WeakRef<HTMLElement>>} */
-const followed = new Set();
-/** @type {WeakMap<HTMLElement, () => void>} */
-const measures = new WeakMap();
-// Another density of pixels comes without another size.
-globalThis.addEventListener?.('resize', () => {
-  for (const held of followed) {
-    const element = held.deref();
-    if (element) measures.get(element)?.();
-    else followed.delete(held);
-  }
-});

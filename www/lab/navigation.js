@@ -1,6 +1,7 @@
 // The parts of the page: links to all, and only what belongs to the open one in sight.
 import { html, nothing, render } from 'lit-html';
-import { byId, followSize } from '../kit/elements.js';
+import { byId } from '../kit/elements.js';
+import { followSize } from '../kit/size.js';
 import { isEmbedded } from '../kit/host.js';
 import { watch } from '../kit/memo.js';
 import { lesson as lessonWords, lab as strings } from '../words/index.js';

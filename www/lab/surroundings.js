@@ -1,8 +1,14 @@
 // What around the page changes how it is drawn: its size, the pixels of the screen, the theme, and paper.
+/** @import { Actions } from '../run/actions/actions.js' */
+/** @import { State } from '../run/state.js' */
 import { forgetColours } from '../kit/palette.js';
-import { byId, followSize } from '../kit/elements.js';
+import { byId } from '../kit/elements.js';
+import { followSize, setOnPaper } from '../kit/size.js';
 
-/** @param {import('../run/actions/actions.js').Actions} actions @param {() => void} show Draws at once. */
+/** The plane on paper, in pixels, within its border: what stands above it has room on the first sheet. */
+const most = { width: 638, height: 420 };
+
+/** @param {Actions} actions @param {() => void} show Draws at once. */
 export function followSurroundings(actions, show) {
   const redraw = () => {
     forgetColours();
@@ -10,13 +16,22 @@ export function followSurroundings(actions, show) {
     show();
   };
   const plane = byId('plane');
-  followSize(plane, (size) => {
-    setOnPaper(plane, size);
+  const measured = (/** @type {State['size']} */ size) => {
+    plane.style.setProperty('--own-width', `${size.width}px`);
+    plane.style.setProperty('--own-height', `${size.height}px`);
     actions.setSize(size);
-  });
+  };
+  followSize(plane, measured, ({ width, height }) => ({
+    width: Math.min(width, most.width),
+    height: Math.min(height, most.height),
+  }));
   // At once, because a printer does not wait for the next frame.
-  for (const media of ['(prefers-color-scheme: dark)', 'print'])
-    matchMedia(media).addEventListener('change', redraw);
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', redraw);
+  const turn = (/** @type {boolean} */ prints) => {
+    setOnPaper(prints);
+    redraw();
+  };
+  matchMedia('print').addEventListener('change', ({ matches }) => turn(matches));
   // Not every browser tells the page itself that its media is paper.
   for (const [name, prints] of /** @type {const} */ ([
     ['beforeprint', true],
@@ -27,16 +42,6 @@ export function followSurroundings(actions, show) {
       // What is not on the screen was not drawn, or long ago.
       for (const picture of document.querySelectorAll('canvas, .picture > svg'))
         picture.toggleAttribute('data-unseen', prints && !picture.checkVisibility());
-      redraw();
+      turn(prints);
     });
-}
-
-/** On paper, in pixels, it is no wider than the sheet, and leaves room on the first one for what stands above it. */
-const paper = { width: 638, height: 420 };
-
-/** All that lies on the plane shrinks with it where it is larger. @param {HTMLElement} plane @param {{ width: number, height: number }} size */
-function setOnPaper({ style }, { width, height }) {
-  style.setProperty('--own-width', `${width}px`);
-  style.setProperty('--own-height', `${height}px`);
-  style.setProperty('--on-paper', String(Math.min(1, paper.width / width, paper.height / height)));
 }

@@ -1,5 +1,6 @@
 // The lesson: the words of one step beside the lab's own views.
-import { byId, followSize } from '../kit/elements.js';
+import { byId } from '../kit/elements.js';
+import { followSize } from '../kit/size.js';
 import { isEmbedded } from '../kit/host.js';
 import { watch } from '../kit/memo.js';
 import { gainsOf } from '../run/drivers.js';

@@ -2,7 +2,8 @@
 import { drawBay, drawCar } from '../../lab/car.js';
 import { inMetres, postureAt, trace } from '../../lab/track.js';
 import { circle, createWatchedLayer } from '../../kit/canvas.js';
-import { create, followSize } from '../../kit/elements.js';
+import { create } from '../../kit/elements.js';
+import { followSize } from '../../kit/size.js';
 import { colour, pale } from '../../kit/palette.js';
 import { planeAround } from './plane-around.js';
 

@@ -4,7 +4,7 @@
 /** @import { Tools } from '../part.js' */
 import { createWatchedLayer } from '../../kit/canvas.js';
 import { followPointer } from '../../kit/map.js';
-import { followSize } from '../../kit/elements.js';
+import { followSize } from '../../kit/size.js';
 import { watch } from '../../kit/memo.js';
 import { isFree } from '../../run/guard.js';
 import { sampleTime } from './axes.js';

@@ -14,7 +14,7 @@ import {
   take,
   through,
 } from '../../kit/chart.js';
-import { followSize } from '../../kit/elements.js';
+import { followSize } from '../../kit/size.js';
 import { largest } from '../../kit/extent.js';
 import { setLettering } from '../../kit/lettering.js';
 import { colour, pale } from '../../kit/palette.js';

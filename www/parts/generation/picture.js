@@ -1,7 +1,8 @@
 // The picture of a generation: every individual is a mark. Its height is its J; or it lies where its gains are, seen from two sides.
 /** @import { Place, Size } from './places.js' */
 /** @import { Anatomy, Phase } from './record.js' */
-import { followSize, svg, tellValue } from '../../kit/elements.js';
+import { svg, tellValue } from '../../kit/elements.js';
+import { followSize } from '../../kit/size.js';
 import { isChord } from '../../kit/keyboard.js';
 import { watch } from '../../kit/memo.js';
 import words from './words/index.js';

@@ -13,7 +13,8 @@ import { followHeld, followKeys, followPointing, pointIn } from '../../kit/map.j
 import { remember } from '../../kit/memo.js';
 import { gainsOf } from '../../run/drivers.js';
 import { hidesPaper } from '../../run/exercise.js';
-import { byIdIn, followSize } from '../../kit/elements.js';
+import { byIdIn } from '../../kit/elements.js';
+import { followSize } from '../../kit/size.js';
 import { tryNow } from '../../core/pending.js';
 import { createSection } from '../section.js';
 import words from './words/index.js';

@@ -8,7 +8,7 @@ import { gainNames } from './state.js';
 import { contours } from 'd3-contour';
 import { circle, createWatchedLayer, strokeTwice } from '../../kit/canvas.js';
 import { drawNumbersBelow, drawNumbersBeside, through, within } from '../../kit/chart.js';
-import { followSize } from '../../kit/elements.js';
+import { followSize } from '../../kit/size.js';
 import { setLettering } from '../../kit/lettering.js';
 import { dark, drawFrame, drawShades, light } from '../../kit/map.js';
 import { shadeAt } from '../../kit/shades.js';

@@ -4,7 +4,7 @@
 /** @import { SeedSurvey } from './request.js' */
 import { createWatchedLayer } from '../../kit/canvas.js';
 import { scaleLinear } from 'd3-scale';
-import { followSize } from '../../kit/elements.js';
+import { followSize } from '../../kit/size.js';
 import { take } from '../../kit/chart.js';
 import { colour } from '../../kit/palette.js';
 import { stacked } from '../../kit/stack.js';

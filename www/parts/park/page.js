@@ -2,7 +2,8 @@
 /** @import { Page, Tools } from '../part.js' */
 import './style.css';
 import { render } from 'lit-html';
-import { create, followSize } from '../../kit/elements.js';
+import { create } from '../../kit/elements.js';
+import { followSize } from '../../kit/size.js';
 import { pause } from '../../kit/loop.js';
 import { followKeys } from '../../kit/map.js';
 import { once, watch } from '../../kit/memo.js';

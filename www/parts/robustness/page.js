@@ -10,7 +10,8 @@
 import './style.css';
 import './places.css';
 import { robustnessSlice } from './state.js';
-import { byIdIn, followSize } from '../../kit/elements.js';
+import { byIdIn } from '../../kit/elements.js';
+import { followSize } from '../../kit/size.js';
 import { createSection } from '../section.js';
 import { followKeys, followPointing, pointIn } from '../../kit/map.js';
 import { once, remember } from '../../kit/memo.js';

@@ -1,7 +1,7 @@
 // A picture of starts around the goal: filled where the robot arrives; small, pale red and without a tail where it does not.
 /** @import { Posture, Run } from '../../core/engine.js' */
 import { circle, createWatchedLayer, strokeTwice } from '../../kit/canvas.js';
-import { followSize } from '../../kit/elements.js';
+import { followSize } from '../../kit/size.js';
 import { arrowOf, isChord } from '../../kit/keyboard.js';
 import { colour } from '../../kit/palette.js';
 import { viewAround } from '../../kit/transform.js';
