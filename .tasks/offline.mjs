@@ -11,6 +11,8 @@ const policy = [
   'worker-src blob:',
   // Itself, as the preview of an exercise.
   "frame-src 'self' file:",
+  "base-uri 'none'",
+  "form-action 'none'",
 ].join('; ');
 
 /** @returns {import('vite').Plugin} */

@@ -46,7 +46,7 @@ def asked(arguments):
         sys.exit(f"{file} cannot be read: {error.strerror}.")
     except (KeyError, TypeError, ValueError, csv.Error):
         contestants = {}
-    if not contestants:
+    if not contestants or any(name == ".." or name != Path(name).name for name in contestants):
         sys.exit(f"{file} is not the CSV of a contest, which has the columns contestant, seed, drive and J.")
     return contestants, Path(folder), int(budget)
 

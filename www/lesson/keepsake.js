@@ -65,11 +65,15 @@ export function createPlace(article, lesson) {
       storage.setItem(placeKey, JSON.stringify([lesson(), ...scrolled.map(({ scrollTop }) => scrollTop)])),
     ),
   );
-  let before = isBack() ? withStorage((storage) => storage.getItem(placeKey)) : null;
+  /** @type {readonly number[]} */
+  let before =
+    (isBack() &&
+      withStorage((storage) => JSON.parse(storage.getItem(placeKey) ?? '[]').filter(Number.isFinite))) ||
+    [];
   /** To the place where one was in this step, once, or to its beginning. @param {number} step */
   return (step) => {
-    const [kept, ...tops] = /^\[[\d.,]+\]$/.test(before ?? '') ? JSON.parse(before ?? '') : [];
-    before = null;
+    const [kept, ...tops] = before;
+    before = [];
     for (const [i, one] of scrolled.entries()) one.scrollTop = kept === step ? (tops[i] ?? 0) : 0;
   };
 }

@@ -61,8 +61,11 @@ export function takeLeft() {
 /** The work on an exercise goes on where the page is loaded again. @param {Opened} opened @returns {Opened} */
 export function takeWork(opened) {
   if (isEmbedded || !isBack()) return opened;
-  const [id, since] = withStorage((storage) => JSON.parse(storage.getItem(workKey) ?? '[]')) ?? [];
-  if (!id || id !== workId(opened)) return opened;
-  const begun = performance.now() - Math.max(0, Date.now() - since);
+  const kept = withStorage((storage) => {
+    const [id, since] = JSON.parse(storage.getItem(workKey) ?? '[]');
+    return Number.isFinite(since) ? { id, since } : null;
+  });
+  if (!kept?.id || kept.id !== workId(opened)) return opened;
+  const begun = performance.now() - Math.max(0, Date.now() - kept.since);
   return { ...opened, student: { ...opened.student, begun } };
 }

@@ -114,3 +114,28 @@ pageTest('the time of the work on an exercise goes on where the page is loaded a
   await page.driver.get(again);
   assert.ok((await minutes(page)) < 500);
 });
+
+pageTest('what another page has written where the tab keeps its own harms nothing', async (page) => {
+  for (const written of [
+    ['{}', '[1..2]'],
+    ['5', '{}'],
+    ['["lab",null]', '["x"]'],
+  ]) {
+    await page.open('#lesson&step=cost');
+    await page.evaluate(([work, place]) => {
+      sessionStorage.setItem('ep-locomotion work', work);
+      sessionStorage.setItem('ep-locomotion place', place);
+      // Else the page writes its own over it.
+      Storage.prototype.setItem = () => {};
+      location.reload();
+    }, written);
+    await page.until(
+      'the step is there',
+      () =>
+        performance
+          .getEntriesByType('navigation')
+          .some((entry) => 'type' in entry && entry.type === 'reload') &&
+        document.querySelector('#lesson h2')?.checkVisibility(),
+    );
+  }
+});

@@ -123,6 +123,9 @@ test('the example for IOHprofiler says in a sentence what is wrong with how it i
       ['contestant,seed,drive,J\nlab,1,one,9\n', [wrong, 'ioh', '4000'], noContest],
       ['contestant,seed,drive,J\nlab,one,1,9\n', [wrong, 'ioh', '4000'], noContest],
       ['contestant,seed,drive,J\nlab,1,1\n', [wrong, 'ioh', '4000'], noContest],
+      // It writes into its own folder alone.
+      ['contestant,seed,drive,J\n../lab,1,1,9\n', [wrong, 'ioh', '4000'], noContest],
+      ['contestant,seed,drive,J\n..,1,1,9\n', [wrong, 'ioh', '4000'], noContest],
       ['\u0000\u0001', [wrong, 'ioh', '4000'], noContest],
     ])) {
       writeFileSync(wrong, csv);

@@ -198,7 +198,7 @@ pageTest('what is drawn for a student waits for who it is, and follows from it',
     true,
   );
   // On a phone there is nothing to hover over.
-  assert.match(await page.text('#handin-drawn'), /for another, open its link again/);
+  assert.match(await page.text('#handin-drawn'), /for another, open the link that your lecturer gave/);
   assert.deepEqual(await page.problems(), []);
 });
 

@@ -11,8 +11,8 @@ export const texts = {
   title: 'Hand in',
   close: 'Close',
   whoLabel: 'Your name or number',
-  whoHelp: 'It is asked once, and goes nowhere but into what you hand in.',
-  whoDrawn: 'The exercise was drawn for this name: for another, open its link again.',
+  whoHelp: 'It is asked once. From then on it stands in the address and in what you copy or save here; nothing is sent.',
+  whoDrawn: 'The exercise was drawn for this name: for another, open the link that your lecturer gave.',
   begin: 'Begin',
   whoFirst:
     'Everyone has a slightly different exercise: say who you are, and yours is drawn. What runs until then is not kept.',
