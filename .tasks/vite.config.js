@@ -42,6 +42,16 @@ const inPackage = {
   },
 };
 
+/** The page gives the core to what joins it to JavaScript, which else would ask for it by itself: it would be twice in the one file. @type {import('vite').Plugin} */
+const coreGiven = {
+  name: 'core-given',
+  enforce: 'pre',
+  transform: (code, id) =>
+    id.endsWith('/pkg/ep_locomotion.js')
+      ? code.replace("new URL('ep_locomotion_bg.wasm', import.meta.url)", 'null')
+      : undefined,
+};
+
 export default defineConfig(({ mode }) => ({
   root: fileOf('..'),
   base: './',
@@ -61,6 +71,7 @@ export default defineConfig(({ mode }) => ({
   // A file of modules, from a Blob, is no worker for Chromium in a page that was opened from a disk.
   worker: { format: 'iife' },
   plugins: [
+    coreGiven,
     instead({ isOneFile: mode === 'offline' }),
     ...(mode === 'offline' ? [oneFile()] : [wordsFirst(), hints()]),
   ],

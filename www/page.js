@@ -176,7 +176,7 @@ function createShow({ tools, sight }, seen, addressOf) {
       turn('embed', () => embed?.draw(state));
       turn('share', () => share.draw(state));
       turn('pins', () => pinButton.draw(state, scene));
-      keepFocus(headingOf(now));
+      turn('focus', () => keepFocus(headingOf(now)));
     },
   };
 }

@@ -1,5 +1,5 @@
 // The core in the page: loaded once, for the page and its workers. Everything else receives plain numbers from here.
-import { initSync } from '../../pkg/ep_locomotion.js';
+import init from '../../pkg/ep_locomotion.js';
 import { engineOf } from './direct.js';
 import { createPool } from './pool.js';
 import SurveyWorker from './worker.js?worker';
@@ -32,7 +32,8 @@ import SurveyWorker from './worker.js?worker';
 /** Loads the core. */
 export async function createEngine() {
   const module = await compileCore();
-  initSync({ module });
+  // Not at once: on the main thread some browsers refuse a module as large as this.
+  await init({ module });
 
   /** A worker makes no request of its own: it gets the core from here. */
   function spawn() {

@@ -34,6 +34,9 @@ export function write(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
 
+/** Whether it takes room on the page. Safari before 17.4 cannot tell it itself. @param {Element} element */
+export const isSeen = (element) => element.checkVisibility?.() ?? element.getClientRects().length > 0;
+
 /** Hears of events before what they are for does. @template {keyof WindowEventMap} K @param {readonly K[]} types @param {(event: WindowEventMap[K]) => void} act */
 export function onCapture(types, act) {
   for (const type of types) addEventListener(type, act, { capture: true });

@@ -1,5 +1,5 @@
 // Where the focus goes when what was pressed goes away by it.
-import { onCapture } from './elements.js';
+import { isSeen, onCapture } from './elements.js';
 
 /** To be called once the page is drawn, with the heading of what is open: if what was pressed last is gone, and the focus with it, the next one has it, or what was opened by it. @param {string} selector Of all that may have it. */
 export function createFocusKeeper(selector) {
@@ -23,7 +23,7 @@ export function createFocusKeeper(selector) {
     isElsewhere ||= heading !== open;
     open = heading;
     const [pressed] = path;
-    if (!pressed || pressed.checkVisibility()) return;
+    if (!pressed || isSeen(pressed)) return;
     const { activeElement } = document;
     // Whoever frames the page keeps the focus that is there.
     if ((activeElement !== pressed && activeElement !== document.body) || !document.hasFocus())
@@ -43,6 +43,4 @@ export function createFocusKeeper(selector) {
 
 /** @param {string} selector */
 const shown = (selector) =>
-  /** @type {HTMLElement[]} */ ([...document.querySelectorAll(selector)]).filter((one) =>
-    one.checkVisibility(),
-  );
+  /** @type {HTMLElement[]} */ ([...document.querySelectorAll(selector)]).filter(isSeen);

@@ -3,6 +3,7 @@
 /** @import { Until } from '../run/pace.js' */
 import { html, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
+import { isSeen } from '../kit/elements.js';
 import { selectOf } from '../kit/fields.js';
 import { watch } from '../kit/memo.js';
 import { selectAll, styled, unless, valueIn } from '../kit/templates.js';
@@ -79,7 +80,8 @@ export function createPauseButton(button, { pauseEvolution }) {
   return {
     /** @param {boolean} evolving */
     draw(evolving) {
-      button.hidden = !evolving || document.getElementById('run')?.checkVisibility() === true;
+      const run = document.getElementById('run');
+      button.hidden = !evolving || (run !== null && isSeen(run));
     },
   };
 }

@@ -2,7 +2,7 @@
 /** @import { Actions } from '../run/actions/actions.js' */
 /** @import { State } from '../run/state.js' */
 import { forgetColours } from '../kit/palette.js';
-import { byId } from '../kit/elements.js';
+import { byId, isSeen } from '../kit/elements.js';
 import { followSize, setOnPaper } from '../kit/size.js';
 
 /** The plane on paper, in pixels, within its border: what stands above it has room on the first sheet. */
@@ -41,7 +41,7 @@ export function followSurroundings(actions, show) {
       document.documentElement.toggleAttribute('data-printing', prints);
       // What is not on the screen was not drawn, or long ago.
       for (const picture of document.querySelectorAll('canvas, .picture > svg'))
-        picture.toggleAttribute('data-unseen', prints && !picture.checkVisibility());
+        picture.toggleAttribute('data-unseen', prints && !isSeen(picture));
       turn(prints);
     });
 }

@@ -1,5 +1,5 @@
 // Where there is no room for all of the figure beside the words, it shows one sight: the robot, what the step is about, or the gains. It stays over the words; in a frame it stands beside them sooner.
-import { byId } from '../kit/elements.js';
+import { byId, isSeen } from '../kit/elements.js';
 import { createSegmented } from '../kit/segmented.js';
 import { named, parts } from '../parts/parts.js';
 import { lab } from '../words/index.js';
@@ -73,8 +73,8 @@ export function createSights(fieldset) {
     look(sight) {
       wanted = sight;
       // Who sees the robot already keeps what stands beside it.
-      const isSeen = sight === 'robot' && byId('plane').checkVisibility();
-      if (isSeen || !offered.includes(sight)) return;
+      const isThere = sight === 'robot' && isSeen(byId('plane'));
+      if (isThere || !offered.includes(sight)) return;
       chosen = sight;
       draw();
       show();

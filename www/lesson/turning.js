@@ -1,4 +1,5 @@
 // Who turns a telephone or a tablet goes on reading where they were: the words are then laid out anew, under the figure or beside it.
+import { isSeen } from '../kit/elements.js';
 
 /** What is read as one. */
 const pieces = 'p, li, h2, h3, tr, button, .formula';
@@ -44,7 +45,7 @@ export function keepPlaceInTurning(article) {
     // Only after the first time the head is where it will be.
     for (let time = 0; time < 2; time += 1) {
       const top = topOfWords();
-      if (!place?.piece.checkVisibility() || top === null) return;
+      if (!place || !isSeen(place.piece) || top === null) return;
       const box = place.piece.getBoundingClientRect();
       scrollBy({ top: box.top + place.share * box.height - place.gap - top, behavior: 'instant' });
     }

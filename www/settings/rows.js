@@ -23,7 +23,7 @@ const idOf = (path, place = 'setting') => `${place}-${path.replace(/\W+/g, '-').
 /** What every row has around its control. @param {Row} row @param {string} id @param {string} help @param {(original: Value) => void} onBack */
 function createFrame({ path, symbol }, id, help, onBack) {
   const { name } = words.settings[path];
-  const element = create('div', 'setting');
+  const element = create('div', { class: 'setting', 'data-of': path });
   return {
     element,
     /** @param {RowModel} model @param {string} original As it is read. @param {unknown} control @param {unknown} [more] */

@@ -1,6 +1,6 @@
 // The sheet of keys, and the single keys that press buttons.
 import { html } from 'lit-html';
-import { byId } from '../kit/elements.js';
+import { byId, isSeen } from '../kit/elements.js';
 import { checkOf } from '../kit/fields.js';
 import { isEmbedded } from '../kit/host.js';
 import { createSheet } from '../kit/sheet.js';
@@ -86,7 +86,7 @@ function hasRoom(element, key) {
 function buttonOf([, , id]) {
   /** @type {NodeListOf<HTMLElement>} */
   const all = document.querySelectorAll(`#${id}, [data-key-of="${id}"]`);
-  return [...all].find((button) => button.checkVisibility() && !button.closest('[inert]'));
+  return [...all].find((button) => isSeen(button) && !button.closest('[inert]'));
 }
 
 /** The Latin letter of a key, also where it writes Korean. @param {KeyboardEvent} event */

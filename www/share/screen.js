@@ -288,5 +288,6 @@ const fontOf = ({ fontStyle, fontWeight, fontSize, fontFamily }) => ({
 /** @param {Font} font */
 const cssFont = ({ style, weight, size, family }) => `${style} ${weight} ${size}px ${family}`;
 
-/** @param {Font} font */
-const ascentOf = (font) => measured(cssFont(font), 'alphabetic', 'x').fontBoundingBoxAscent;
+/** Firefox before 116 cannot tell it. @param {Font} font */
+const ascentOf = (font) =>
+  measured(cssFont(font), 'alphabetic', 'x').fontBoundingBoxAscent ?? 0.93 * font.size;

@@ -37,7 +37,7 @@ export function resampledTimes(runtimes, budget) {
 
 /** The 95 % confidence interval of what was drawn so (percentile bootstrap). @param {Float64Array} values @returns {[low: number, high: number]} */
 export function intervalOf(values) {
-  const sorted = values.toSorted();
+  const sorted = values.slice().sort();
   const at = (/** @type {number} */ part) => sorted[Math.round(part * (values.length - 1))];
   return [at((1 - sure) / 2), at((1 + sure) / 2)];
 }

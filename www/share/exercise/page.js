@@ -19,10 +19,10 @@ import { caughtUp } from '../../run/state.js';
 import { createAway } from './away.js';
 import { keepFromLinks, lock, lockAgain } from './locks.js';
 
-/** Rows of the settings. @param {...string} ids How those of their fields begin. */
-const settingsOf = (...ids) => `.setting:has(${ids.map((id) => `[id^="setting-${id}"]`).join(', ')})`;
-const ends = settingsOf('starts-0', 'goal');
-const seed = settingsOf('evolution-seed');
+/** Rows of the settings. @param {...string} paths How they begin. */
+const settingsOf = (...paths) => `.setting:is(${paths.map((path) => `[data-of^="${path}"]`).join(', ')})`;
+const ends = settingsOf('starts[0]', 'goal');
+const seed = settingsOf('evolution.seed');
 const fields = ':is(input, select, button)';
 /** In the lesson's table of drives, the names that drive. @param {...string} entrants */
 const standing = (...entrants) =>
@@ -50,7 +50,7 @@ const own = {
   paper: {
     lock: `#drives-paper-ep, #drives-paper-arbitrary, ${standing('ep', 'arbitrary')}`,
     // The page's own checks tell them.
-    hide: 'label:has(> #drives-paper-ep), label:has(> #drives-paper-arbitrary), #keys-checks, #keep-checks',
+    hide: '#drives label[data-value^="paper"], #keys-checks, #keep-checks',
   },
   postures: {
     lock: `#handles, #restore-postures, ${ends} ${fields}, #settings-preset`,

@@ -1,11 +1,11 @@
 // Every word of what stands in the place of the robots where they cannot drive.
 
 export const waits =
-  'No robots yet? If none come within a few seconds, this browser cannot run the page, or a file of it is missing. A current Chrome, Edge, Firefox or Safari runs it, with scripts and WebAssembly allowed. From a disk open ep-locomotion.html, which is all of it.';
+  'No robots yet? If none come within a few seconds, this browser cannot run the page, or a file of it is missing. Chrome and Edge from 109, Firefox from 115 and Safari from 16.4 run it, with scripts and WebAssembly allowed. From a disk open ep-locomotion.html, which is all of it.';
 
 /** @param {string} reason */
 export const cannot = (reason) =>
-  `The robots cannot drive here: ${reason} A current Chrome, Edge, Firefox or Safari runs this page, with WebAssembly allowed; the lesson can be read here all the same.`;
+  `The robots cannot drive here: ${reason} Chrome and Edge from 109, Firefox from 115 and Safari from 16.4 run this page, with WebAssembly allowed; the lesson can be read here all the same.`;
 
 export const reasons = {
   absent: 'this browser has no WebAssembly, or it is switched off.',

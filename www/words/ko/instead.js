@@ -1,11 +1,11 @@
 // Every word of what stands in the place of the robots where they cannot drive, in Korean.
 
 export const waits =
-  '아직 로봇이 보이지 않습니까? 몇 초가 지나도 나타나지 않으면 이 브라우저가 페이지를 실행할 수 없거나 파일이 빠진 것입니다. 스크립트와 WebAssembly를 허용한 최신 Chrome, Edge, Firefox, Safari에서 실행됩니다. 디스크에서는 모두 들어 있는 ep-locomotion.html을 여십시오.';
+  '아직 로봇이 보이지 않습니까? 몇 초가 지나도 나타나지 않으면 이 브라우저가 페이지를 실행할 수 없거나 파일이 빠진 것입니다. 스크립트와 WebAssembly를 허용한 Chrome·Edge 109, Firefox 115, Safari 16.4 이상에서 실행됩니다. 디스크에서는 모두 들어 있는 ep-locomotion.html을 여십시오.';
 
 /** @param {string} reason */
 export const cannot = (reason) =>
-  `이곳에서는 로봇이 주행할 수 없습니다. ${reason} 이 페이지는 WebAssembly를 허용한 최신 Chrome, Edge, Firefox, Safari에서 실행됩니다. 수업 내용은 여기에서도 읽을 수 있습니다.`;
+  `이곳에서는 로봇이 주행할 수 없습니다. ${reason} 이 페이지는 WebAssembly를 허용한 Chrome·Edge 109, Firefox 115, Safari 16.4 이상에서 실행됩니다. 수업 내용은 여기에서도 읽을 수 있습니다.`;
 
 export const reasons = {
   absent: '이 브라우저에는 WebAssembly가 없거나 꺼져 있습니다.',
