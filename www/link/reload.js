@@ -5,10 +5,11 @@
 import { isEmbedded } from '../kit/host.js';
 import { isBack, withStorage } from '../kit/tab.js';
 import { workId } from '../run/exercise.js';
+import { caughtUp, spentOf } from '../run/state.js';
 
 /** Each address has its own, for one may go back to another. */
 const prefix = 'ep-locomotion left ';
-/** Whose work on which exercise was left, and since when it lasted, by the machine's clock: the page's own begins anew. */
+/** Whose work on which exercise was left, since when it lasted, by the machine's clock, for the page's own begins anew, and what was driven. */
 const workKey = 'ep-locomotion work';
 
 /** @param {Storage} storage @param {string} link */
@@ -20,7 +21,8 @@ function forget(storage, link) {
 /** @param {Storage} storage @param {State} state */
 function keepWork(storage, state) {
   const lasted = performance.now() - state.work.begun;
-  if (workId(state)) storage.setItem(workKey, JSON.stringify([workId(state), Date.now() - lasted]));
+  const kept = [workId(state), Date.now() - lasted, spentOf(caughtUp(state))];
+  if (workId(state)) storage.setItem(workKey, JSON.stringify(kept));
 }
 
 /**
@@ -62,10 +64,11 @@ export function takeLeft() {
 export function takeWork(opened) {
   if (isEmbedded || !isBack()) return opened;
   const kept = withStorage((storage) => {
-    const [id, since] = JSON.parse(storage.getItem(workKey) ?? '[]');
-    return Number.isFinite(since) ? { id, since } : null;
+    const [id, since, made = 0] = JSON.parse(storage.getItem(workKey) ?? '[]');
+    return Number.isFinite(since) && Number.isSafeInteger(made) ? { id, since, made } : null;
   });
   if (!kept?.id || kept.id !== workId(opened)) return opened;
   const begun = performance.now() - Math.max(0, Date.now() - kept.since);
-  return { ...opened, student: { ...opened.student, begun } };
+  const spent = Math.max(opened.student.spent, kept.made);
+  return { ...opened, student: { ...opened.student, begun, spent } };
 }
