@@ -4,6 +4,7 @@ import Papa from 'papaparse';
 import { links } from '../../../www/lesson/links.js';
 import { createReader } from '../../../www/share/collect/entries.js';
 import { readAll } from '../../../www/share/collect/files.js';
+import { remarksOf } from '../../../www/share/collect/table.js';
 import { pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { cells, checked, openSheet } from './hand-in-sheet.js';
@@ -75,6 +76,55 @@ test('a file that holds several is read as what is pasted, and each of them has 
     );
   // Each may be so long, not all together.
   assert.equal((await read(Array.from({ length: 600 }, () => a.text).join('\n\n'))).length, 600);
+});
+
+/** @param {Record<string, string>} files Their texts. */
+const readClass = (files) =>
+  readAll(
+    Object.entries(files).map(([name, text]) => new File([text], name)),
+    createReader(links.pages),
+  );
+
+test('what lies in a student’s file speaks for nobody else, also as a table; a table alone is a lecturer’s', async () => {
+  const [a, b] = await Promise.all([handedIn('s1', [3.3, 0, 4.5]), handedIn('s2', [3, 0.1, 6])]);
+  const table = Papa.unparse([
+    ['Full name', 'Identifier', 'Grade', 'Text'],
+    ['Lee Bob', 'Participant 102', '0', `${site}#${a.link}`],
+  ]);
+  const read = async (/** @type {Record<string, string>} */ files) =>
+    (await readClass(files)).map(({ name, ident, link }) => [name, Object.keys(ident), link]);
+  const eves = ['evepark', [], a.link];
+  assert.deepEqual(await read({ 'leebob_102_202_hand.txt': b.text, 'evepark_103_203_mine.csv': table }), [
+    ['leebob', [], b.link],
+    eves,
+  ]);
+  assert.deepEqual(await read({ 'evepark_103_203_a.tsv': table, 'leebob_102_202_b.csv': b.text }), [
+    eves,
+    ['leebob', [], b.link],
+  ]);
+  assert.deepEqual(await read({ 'Eve Park_103_assignsubmission_file_mine.csv': table }), [
+    ['Eve Park', ...eves.slice(1)],
+  ]);
+  for (const name of ['class_2026_11_all.csv', 'class.csv'])
+    assert.deepEqual(await read({ [name]: table }), [['Lee Bob', ['Identifier'], a.link]]);
+});
+
+test('of one student’s file the last receipts are read, so that there is room for the others, and a row says so', async () => {
+  const [a, b] = await Promise.all([handedIn('s1', [3.3, 0, 4.5]), handedIn('s2', [3, 0.1, 6])]);
+  const many = `${`${a.text}\n\n`.repeat(1000)}${b.text}\n${'Bye.\n'.repeat(30)}`;
+  const entries = await readClass({ 'aapark_103_203_hand.txt': many, 'leebob_102_202_hand.txt': a.text });
+  const [first, ...others] = entries.map(({ name, link, why }) => [name, link, why]);
+  assert.deepEqual(first, ['aapark', null, 'more']);
+  assert.deepEqual(others.slice(-3), [
+    ['aapark', a.link, null],
+    ['aapark', b.link, null],
+    ['leebob', a.link, null],
+  ]);
+  assert.equal(entries.length, 1 + 20 + 1);
+  const row = { entry: entries[0], checked: null, problem: /** @type {const} */ ('more'), same: [] };
+  assert.deepEqual(remarksOf(row, [row]), [
+    'of this file only its receipts were checked, at most the last 20',
+  ]);
 });
 
 test('what a platform keeps behind a receipt is not handed in, if it is of the same student', async () => {

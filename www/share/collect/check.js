@@ -15,7 +15,7 @@ import words from './words/index.js';
 /** An exercise: the run with which it was given, what of that nobody could choose, its link and its digits. @typedef {{ run: Linked, base: Experiment, prepared: Prepared, link: string, id: string }} Given */
 /** What a receipt is: whole and true; its result is another; it was cut or changed; made by another program; or there is none. @typedef {'holds' | 'otherResult' | 'broken' | 'otherProgram' | 'none'} Worth */
 /** What came of one hand-in: `cost` in the exercise as it was given, `own` in what was handed in; `drives` null: nobody has told; `lacksDrives`: so the budget of drives cannot be judged; `lacksWho`: nothing was drawn. @typedef {{ who: string, run: Linked, gains: Triple, how: string, cost: number, own: number, drives: number | null, minutes: number | null, isTold: boolean, lacksDrives: boolean, lacksWho: boolean, judged: Judged | null, worth: Worth, told: number | null, differs: readonly string[], answers: string }} Checked */
-/** `problem`: why it could not be read, in words or one of these; `same`: the rows of this very answer, itself among them. @typedef {{ entry: Entry, checked: Checked | null, problem: '' | 'none' | 'long' | 'heavy' | { said: string }, same: readonly number[] }} Row */
+/** `problem`: why it could not be read, in words or one of these; `same`: the rows of this very answer, itself among them. @typedef {{ entry: Entry, checked: Checked | null, problem: '' | 'none' | 'long' | 'more' | 'heavy' | { said: string }, same: readonly number[] }} Row */
 
 /** Links are read on the page's own thread, so many milliseconds in a row. */
 const slice = 12;

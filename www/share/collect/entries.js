@@ -6,7 +6,7 @@ import { mostCharacters } from '../../link/link.js';
 import { mark } from '../handin/mark.js';
 import { fromRow, partsOf, tableIn } from './columns.js';
 
-/** One hand-in: who it is from as the platform says, how the platform knows them (column by column), a beginning of the text, and its link, or why there is none. @typedef {{ name: string, ident: Readonly<Record<string, string>>, text: string, link: string | null, why: 'none' | 'long' | null, isReceipt: boolean }} Entry `isReceipt`: it says that it is one. */
+/** One hand-in: who it is from as the platform says, how the platform knows them (column by column), a beginning of the text, and its link, or why there is none. @typedef {{ name: string, ident: Readonly<Record<string, string>>, text: string, link: string | null, why: 'none' | 'long' | 'more' | null, isReceipt: boolean }} Entry `isReceipt`: it says that it is one. */
 
 /** In characters. */
 export const mostOfAll = 12_000_000;
@@ -14,6 +14,8 @@ const mostOfOne = 200_000;
 const mostOfName = 80;
 /** So many are checked at once; the others are only counted. */
 export const mostEntries = 5000;
+/** So many receipts of one student's file, its last, so that it leaves room for the others. */
+export const mostOfStudent = 20;
 /** So many milliseconds in a row. */
 const slice = 12;
 
@@ -90,6 +92,10 @@ const isLater = (line, before) =>
   [line, before].every((one) => /^#\S+(?: [\da-f]{8})?$/.test(one)) &&
   whoIn(line) === whoIn(before);
 
+/** @param {[text: string, whose: string][]} parts */
+const lastReceipts = (parts) =>
+  parts.filter(([one]) => one.includes(mark) || one.includes('handin=')).slice(-mostOfStudent);
+
 /** Links of these pages. @param {readonly string[]} pages */
 function createFinder(pages) {
   const pattern = new RegExp(`(?<![\\w%])(?:${pages.join('|')})&(?:amp;)*[\\w.]+=[^\\s"<>\\\\^\`{}|]*`, 'g');
@@ -148,20 +154,18 @@ export function createReader(pages) {
       : { ...about, link, why: null };
   }
 
-  /** Lines, of which each is a hand-in but for those of a receipt, which ends with its link. @param {string} text @param {string} name @returns {Promise<Entry[]>} */
-  async function fromLines(text, name) {
+  /** Lines, of which each is a hand-in but for those of a receipt, which ends with its link. @param {string} text @param {string} name @param {boolean} [isStudents] @returns {Promise<Entry[]>} */
+  async function fromLines(text, name, isStudents = false) {
     const isHtml = /<\/?(?:p|div|br|a|span|li|td|html|body|img|script)\b/i.test(text);
     if (isHtml && new Set(linksIn(text)).size < 2) return [entryOf(text, name)];
     const withLinks = text.replace(/<a\b[^<>]*>/gi, (tag) => ` ${hrefIn(tag)} `);
     const lines = (isHtml ? saidIn(withLinks) : text).split(/\r?\n/).map((line) => line.trim());
-    /** @type {Entry[]} */
-    const entries = [];
-    const add = (/** @type {string} */ one, /** @type {string} */ whose) =>
-      entries.push(entries.length < mostEntries ? entryOf(one, whose) : unread);
+    /** @type {[text: string, whose: string][]} */
+    const parts = [];
     /** @type {string[]} */
     let receipt = [];
     const end = () => {
-      if (receipt.length > 0) add(receipt.join('\n'), name);
+      if (receipt.length > 0) parts.push([receipt.join('\n'), name]);
       receipt = [];
     };
     const turn = createTurns(slice);
@@ -173,9 +177,16 @@ export function createReader(pages) {
         receipt.push(line);
         // What may still be of it: a link that was broken into lines.
         if (endsReceipt(line) || (line === '' && receipt.length > 3)) end();
-      } else if (line !== '') add(line, name || nameBefore(line));
+      } else if (line !== '') parts.push([line, name || nameBefore(line)]);
     }
     end();
+    const isMore = isStudents && parts.length > mostOfStudent;
+    /** @type {Entry[]} */
+    const entries = isMore ? [{ ...unread, name, why: 'more' }] : [];
+    for (const [one, whose] of isMore ? lastReceipts(parts) : parts) {
+      await turn();
+      entries.push(entries.length < mostEntries ? entryOf(one, whose) : unread);
+    }
     return entries;
   }
 
@@ -194,17 +205,14 @@ export function createReader(pages) {
       return entries;
     },
 
-    /** A file is one hand-in, unless it is a table or holds several; who those are from, its name says only where they are one student's. @param {string} path @param {string} text @param {string} [name] @returns {Promise<Entry[]>} */
-    async readFile(path, text, name = nameOfFile(path)) {
-      const isStudents = ownerOf(path).number !== '';
-      const isTable = /\.(?:csv|tsv)$/i.test(path);
-      if (isStudents && !isTable)
-        return countOf(text, mark) > 1 ? fromLines(text, name) : [entryOf(text, name)];
-      if (!isTable && !holdsSeveral(text)) return [entryOf(text, name)];
+    /** A file is one hand-in, unless it is a table or holds several; who those are from, its name says only where they are one student's. @param {string} path @param {string} text @param {{ name: string, isStudents: boolean }} [whose] @returns {Promise<Entry[]>} */
+    async readFile(path, text, { name, isStudents } = ownersOfFiles([path])[0]) {
+      if (isStudents) return countOf(text, mark) > 1 ? fromLines(text, name, true) : [entryOf(text, name)];
+      if (!isTable(path) && !holdsSeveral(text)) return [entryOf(text, name)];
       const entries = await this.read(text);
       const whos = new Set(entries.map(({ link }) => link && whoIn(link)).filter(Boolean));
-      const other = isStudents || entries.length === 1 || whos.size === 1 ? name : '';
-      return entries.map((entry) => ({ ...entry, name: entry.name || other }));
+      const isOnes = ownerOf(path).number !== '' || entries.length === 1 || whos.size === 1;
+      return entries.map((entry) => ({ ...entry, name: entry.name || (isOnes ? name : '') }));
     },
 
     /** @param {string} name @returns {Entry} */
@@ -234,19 +242,26 @@ function ownerOf(path) {
   const file = parts[parts.length - 1].replace(/\.\w+$/, '');
   const canvas = /^(\D+?|[^_]*\p{L}[^_]*)_(?:LATE_)?(\d+)_(?:\d+_|(?:text|link)$)/u.exec(file);
   const [, name, number] = moodle ?? canvas ?? ['', file, ''];
-  return { name, number };
+  return { name, number, isMoodle: Boolean(moodle) };
 }
 
-/** Who handed in each of these files. What is no name, or that of several, has the number beside it. @param {readonly string[]} paths */
-export function namesOfFiles(paths) {
+/** @param {string} path */
+export const isTable = (path) => /\.(?:csv|tsv)$/i.test(path);
+
+/** Who handed in each of these files, and whether it is that student's alone, whatever stands in it. What is no name, or that of several, has the number beside it. @param {readonly string[]} paths */
+export function ownersOfFiles(paths) {
   const owners = paths.map(ownerOf);
   /** @type {Map<string, Set<string>>} */
   const numbers = new Map();
   for (const { name, number } of owners) numbers.set(name, (numbers.get(name) ?? new Set()).add(number));
-  return owners.map(({ name, number }) =>
-    anybody.test(name) || (numbers.get(name)?.size ?? 0) > 1 ? `${name} ${number}`.trim() : name,
-  );
+  // Of Canvas a class has several; a table that is alone, such as class_2026_11_all.csv, is the lecturer's own.
+  const all = new Set(owners.map(({ number }) => number).filter(Boolean));
+  const isClass = all.size > 1 || owners.some(({ number }, i) => number !== '' && !isTable(paths[i]));
+  return owners.map(({ name, number, isMoodle }) => ({
+    name: anybody.test(name) || (numbers.get(name)?.size ?? 0) > 1 ? `${name} ${number}`.trim() : name,
+    isStudents: number !== '' && (isMoodle || isClass),
+  }));
 }
 
 /** @param {string} path */
-export const nameOfFile = (path) => namesOfFiles([path])[0];
+export const nameOfFile = (path) => ownersOfFiles([path])[0].name;

@@ -1,6 +1,6 @@
 // Files and folders as they are dropped or chosen, read as text.
 /** @import { Entry } from './entries.js' */
-import { mostEntries, namesOfFiles } from './entries.js';
+import { isTable, mostEntries, ownersOfFiles } from './entries.js';
 
 /** In bytes: a hand-in is a few hundred characters, the table of a whole course some megabytes. */
 const mostOfFile = 2_000_000;
@@ -74,16 +74,16 @@ export async function readAll(files, reader) {
   /** @type {Entry[]} */
   const entries = [];
   const paths = files.map(pathOf);
-  for (const [i, name] of namesOfFiles(paths).entries()) {
+  for (const [i, whose] of ownersOfFiles(paths).entries()) {
     if (entries.length >= mostEntries) {
       // Of what is not checked, a file counts as one.
-      entries.push(reader.tooLong(name));
+      entries.push(reader.tooLong(whose.name));
       continue;
     }
-    const most = /\.(?:csv|tsv)$/i.test(paths[i]) ? mostOfTable : mostOfFile;
-    if (files[i].size > most) entries.push(reader.tooLong(name));
+    const most = isTable(paths[i]) && !whose.isStudents ? mostOfTable : mostOfFile;
+    if (files[i].size > most) entries.push(reader.tooLong(whose.name));
     else
-      for (const entry of await reader.readFile(paths[i], await textOf(files[i]), name)) entries.push(entry);
+      for (const entry of await reader.readFile(paths[i], await textOf(files[i]), whose)) entries.push(entry);
   }
   return entries;
 }

@@ -6,6 +6,7 @@ import { html } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import Papa from 'papaparse';
 import { numberText as digits } from '../../link/values.js';
+import { mostOfStudent } from './entries.js';
 import words from './words/index.js';
 
 /** @typedef {{ column: Column, isDown: boolean }} Order */
@@ -37,7 +38,7 @@ export const nameOf = ({ entry, checked }) => entry.name || checked?.who || '';
 /** What a lecturer has to look at. @param {Row} row @param {readonly Row[]} rows In the order in which they came. */
 export function remarksOf(row, rows) {
   const { entry, checked, problem, same } = row;
-  if (!checked) return [words.problemText(entry.text, problem)];
+  if (!checked) return [words.problemText(entry.text, problem, mostOfStudent)];
   const { worth, told, lacksWho, lacksDrives, differs, cost, own } = checked;
   const others = same.slice(0, mostTwins + 1).filter((i) => rows[i] !== row);
   const twins = others.slice(0, mostTwins).map((i) => ({ number: i + 1, name: nameOf(rows[i]) }));
