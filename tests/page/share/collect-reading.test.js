@@ -7,7 +7,6 @@ import { createChecker } from '../../../www/share/collect/check.js';
 import { createReader, mostEntries } from '../../../www/share/collect/entries.js';
 import { joined, readAll } from '../../../www/share/collect/files.js';
 import { csvOf } from '../../../www/share/collect/table.js';
-import { mark } from '../../../www/share/handin/mark.js';
 import { test } from '../harness/once.js';
 import { engine, exercise, handedIn, site } from './hand-ins.js';
 
@@ -169,25 +168,6 @@ test('of who handed nothing in, a grading table of Moodle says nothing that they
     );
     assert.equal(entries[0].text, '', head.join());
   }
-});
-
-test('what was made to hold the page is a row as others are', async () => {
-  const { link } = await handedIn('s1', [3.3, 0, 4.5]);
-  // Whatever looks twice at such a text looks for minutes.
-  const full = (/** @type {string} */ one) => one.repeat(190_000 / one.length);
-  for (const [text, links] of /** @type {[string, (string | null)[]][]} */ ([
-    [`lab&a=${full('handin=')}`, [null]],
-    [`${mark}\n${full('handin=~')}\n${link}`, [link]],
-    [`${mark}<p>${link} lab&v=1 <a ${full("href='x' ")}`, [link]],
-    [`${full(', ')}x ${site}#${link}`, [link]],
-    // Nor is it a thing of an engine's stack.
-    [`${site}#lab&v=1&seed=${full('!')}a`, [null]],
-    [`${site}#lab&v=1&seed=7${full('!')}`, ['lab&v=1&seed=7']],
-  ]))
-    assert.deepEqual(
-      (await reader.read(text)).map((entry) => entry.link),
-      links,
-    );
 });
 
 test('no name turns around what stands beside it, and no cell falls apart, wherever tables are divided', async () => {

@@ -21,10 +21,18 @@ const mostIdents = 20;
 const written =
   /^(online text|submission text|text|온라인 ?텍스트|texte en ligne|texteingabe online|texto en línea|texto online|testo online|オンラインテキスト|在线文本|線上文字)$/i;
 
+/** Without long runs of white space: Papa looks through what stands before a comma or a line's end anew from each quote before it. Where lines end, and what the next one begins with, stays. @param {string} text */
+const withoutRuns = (text) =>
+  text.replace(/\s{200,}/g, (run) => {
+    const [end] = /\r?\n|\r/.exec(run) ?? [''];
+    const next = run.replace(/^.*[\r\n]/s, '').replace(/[^\S\t]+/g, ' ');
+    return end + next.slice(-99);
+  });
+
 /** A table with a head, if it is one. @param {string} text @param {(cell: string) => boolean} hasLink */
 export function tableIn(text, hasLink) {
   // A mark that some programs put before a text.
-  const whole = text.replace(/^\ufeff/, '');
+  const whole = withoutRuns(text.replace(/^\ufeff/, ''));
   const first = Papa.parse(whole.slice(0, 100_000), { preview: 2, skipEmptyLines: 'greedy' });
   const [head, next] = /** @type {string[][]} */ (first.data);
   if (!head || !next || head.length < 2 || next.length < head.length - 1 || head.some(hasLink)) return null;
