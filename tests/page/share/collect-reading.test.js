@@ -181,10 +181,10 @@ test('no name turns around what stands beside it, and no cell falls apart, where
   const row = { entry, checked: null, problem: /** @type {const} */ ('none'), same: [] };
   const other = { ...row, entry: { ...entry, ident: {} } };
   const file = csvOf([row, other], site);
-  assert.match(file, /,"a;-2\+3",/);
+  assert.match(file, /,"a;'-2\+3",/);
   assert.deepEqual(
     Papa.parse(file.trim()).data.map((cells) => /** @type {string[]} */ (cells)[1]),
-    ['constructor', 'a;-2+3', ''],
+    ['constructor', "a;'-2+3", ''],
   );
 });
 

@@ -133,8 +133,12 @@ function cellsOf(index, rows, isPinned, { open, pin }) {
 
 export const csvName = 'hand-ins.csv';
 
-/** What a spreadsheet takes for a formula; a number below zero is none. */
-const formula = /^[=+@\t\r]|^-(?!\d+(?:\.\d+)?(?:e[+-]?\d+)?$)/;
+/** The sign by which a spreadsheet knows a formula, where a cell begins: also for programs that divide at semicolons, tabs or line ends, whatever is in quotes. */
+const sign = /(?<=(?:^|[;\t\r\n])[\s"]*)[-=+@＝＋－＠]/g;
+const negative = /^-\d+(?:\.\d+)?(?:e[+-]?\d+)?$/;
+
+/** @param {string} text */
+const withoutFormula = (text) => (negative.test(text) ? text : text.replace(sign, "'$&"));
 
 /** What a row has in a column of the file, if it has anything. @typedef {readonly [head: string, cellOf: (row: Row) => string | number | null | undefined]} CsvColumn */
 
@@ -166,12 +170,13 @@ export function csvOf(rows, page) {
     [answers, ({ checked }) => checked?.answers],
     [remarks, (row) => remarksOf(row, rows).join('; ')],
     [words.columns.who, ({ checked }) => checked?.who],
-    [link, ({ entry, checked }) => checked && entry.link && `${page}#${entry.link}`],
+    // A link says the same with %3B.
+    [link, ({ entry, checked }) => checked && entry.link && `${page}#${entry.link.replaceAll(';', '%3B')}`],
   ];
-  const fields = columns.map(([head]) => head);
-  const data = rows.map((row) => columns.map(([, cellOf]) => cellOf(row)));
+  const fields = columns.map(([head]) => withoutFormula(head));
+  const data = rows.map((row) => columns.map(([, cellOf]) => withoutFormula(String(cellOf(row) ?? ''))));
   // Some programs divide at these too.
   const quotes = (/** @type {unknown} */ cell) => /[;\t]/.test(String(cell));
   // Spreadsheets know by the mark that it is UTF-8.
-  return `\ufeff${Papa.unparse({ fields, data }, { escapeFormulae: formula, quotes })}\r\n`;
+  return `\ufeff${Papa.unparse({ fields, data }, { quotes })}\r\n`;
 }
