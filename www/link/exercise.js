@@ -5,7 +5,7 @@
 /** @import { Exercise } from '../run/exercise.js' */
 /** @import { Prepared } from '../run/prepared.js' */
 /** @import { Key, Linked } from './keys.js' */
-import { tidyText } from '../kit/text.js';
+import { seenText, tidyText } from '../kit/text.js';
 import { most } from '../run/aim.js';
 import { lastGeneration } from '../run/pace.js';
 import { asksSomething, groupNames, isEmpty, isHiddenWithPaper, mostOfTask, wayOf } from '../run/exercise.js';
@@ -63,7 +63,7 @@ export const exerciseKeys = [
     key: 'who',
     text: ({ exercise, student }) => (isEmpty(exercise) ? null : student.who || null),
     read(opened, text) {
-      const who = tidyText(text);
+      const who = seenText(text) && tidyText(text);
       if (who.length > mostOfWho) throw new Error(words.longTask(mostOfWho, who.length));
       return { ...opened, student: { ...opened.student, who } };
     },

@@ -19,7 +19,7 @@ import { changesOf, namesIn, pathOf, withField } from './experiment.js';
 import { driveKeys, lessonKey, pinKeys } from './keys.js';
 import { sealOf } from './seal.js';
 import { PartlyRead, readAll } from './together.js';
-import { beginningOf } from '../kit/text.js';
+import { beginningOf, plainText, seenText } from '../kit/text.js';
 import { decoded, encoded, oneOf, pairOf, percent, wellFormed } from './values.js';
 
 /** @typedef {(preset: Preset) => Experiment} ExperimentOf */
@@ -42,6 +42,9 @@ export const mostCharacters = 20_000;
 const mostNamed = 5;
 const mostOfName = 60;
 const mostOfReason = 400;
+
+/** What somebody wrote, within a sentence. @param {string} text */
+const quoted = (text, most = mostOfName) => plainText(beginningOf(text, most));
 
 /** Stands for no value in itself. @type {readonly Key[]} */
 const signs = [
@@ -113,16 +116,16 @@ export function createLinks({ pages, places, keys: partKeys, mend, lesson }) {
     const link = wellFormed(asWritten(written));
     const [name, ...rest] = whole(link.slice(0, mostCharacters), lesson).split('&');
     const page = pages.find((one) => one === (name || 'lab'));
-    const problems = page
-      ? []
-      : [words.unknownPart(beginningOf(decoded(name), mostOfName), [...pages, 'lesson'])];
+    const problems = page ? [] : [words.unknownPart(quoted(decoded(name)), [...pages, 'lesson'])];
     if (link.length > mostCharacters) problems.push(words.longLink(mostCharacters));
     const given = new Map(rest.filter((text) => text !== '').map(pairOf));
     const step = aloneIn(link)?.step ?? given.get('lesson');
-    if (step !== undefined && !lesson.named(step).isThere)
-      problems.push(words.noStep(beginningOf(step, mostOfName)));
+    if (step !== undefined && !lesson.named(step).isThere) problems.push(words.noStep(quoted(step)));
     const preset = presets.find((one) => one === given.get('preset')) ?? presets[0];
-    const empty = { ...emptyRun(page ?? 'lab', preset, engine), student: { ...nobody, who } };
+    const empty = {
+      ...emptyRun(page ?? 'lab', preset, engine),
+      student: { ...nobody, who: seenText(who) && who },
+    };
     /** @type {Opened} */
     const first = { ...empty, parts: usualParts };
     const fields = namesIn(empty.experiment);
@@ -172,7 +175,7 @@ function withReceipt(opened, linkOf) {
 function ignoredOf(refused) {
   const said = refused.slice(0, mostNamed).map(([key, error]) => {
     const say = error instanceof PartlyRead ? words.partlyIgnored : words.ignored;
-    return say(beginningOf(key, mostOfName), beginningOf(messageOf(error), mostOfReason));
+    return say(quoted(key), quoted(messageOf(error), mostOfReason));
   });
   const more = refused.length - mostNamed;
   return more > 0 ? [...said, words.moreIgnored(more)] : said;

@@ -88,6 +88,7 @@ test('what is drawn follows from the number alone, as two people would write it'
   const all = /** @type {const} */ (['goal', 'starts', 'seed']);
   const drawn = drawnFor(base, all, 'S4711');
   for (const same of ['s4711', ' S4711 ', 'ｓ4711']) assert.deepEqual(drawnFor(base, all, same), drawn);
+  assert.equal(drawnFor(base, all, 's47\u206311').evolution.seed, 699630048);
   // The rule that the documents tell, worked out by hand once: whoever changes it breaks every course under way.
   assert.deepEqual(
     [drawn.goal, drawn.starts[0], drawn.evolution.seed],
@@ -263,6 +264,12 @@ test('digits hold for the link alone, however it was written on its way', () => 
 
 test('who works here and what was driven before stand only beside what asks for them', () => {
   assert.equal(again('lab&who=s4711'), 'lab');
+  for (const nothing of ['%E3%85%A4%E2%80%8B', '%20%E2%81%A3']) {
+    assert.equal(open(`lab&aim=J<8&who=${nothing}`).student.who, '');
+    assert.equal(open('lab&aim=J<8', decodeURIComponent(nothing)).student.who, '');
+  }
+  // What was drawn for it stays.
+  assert.equal(open('lab&aim=J<8&who=s47%E2%81%A311').student.who, 's47\u206311');
   assert.equal(open('lab&aim=J<8;drives<=9&spent=7').student.spent, 7);
   assert.equal(open('lab&aim=J<8&spent=7').student.spent, 0);
 });

@@ -5,6 +5,7 @@
 import { html } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import Papa from 'papaparse';
+import { seenText } from '../../kit/text.js';
 import { numberText as digits } from '../../link/values.js';
 import { mostOfStudent } from './entries.js';
 import words from './words/index.js';
@@ -47,6 +48,7 @@ export function remarksOf(row, rows) {
       ? []
       : [worth === 'otherResult' ? words.otherResult(told ?? Number.NaN) : words.worths[worth]]),
     ...(lacksWho ? [words.lacksWho] : []),
+    ...(seenText(checked.who) === checked.who ? [] : [words.unseen]),
     ...(lacksDrives ? [words.lacksDrives] : []),
     ...(differs.length > 0 ? [words.differs(differs)] : []),
     ...(own === cost || Number.isNaN(own) ? [] : [words.ownCost(words.numberText(own))]),

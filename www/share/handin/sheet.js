@@ -1,7 +1,7 @@
 // The sheet on which an exercise is handed in: who it is, once, and then the receipt.
 /** @import { Receipt } from './receipt.js' */
 /** @import { WorkTools } from './work.js' */
-import { tidyText } from '../../kit/text.js';
+import { seenText } from '../../kit/text.js';
 import { html, nothing } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { copy } from '../../kit/copy.js';
@@ -65,7 +65,7 @@ export function createHandInSheet(tools) {
     },
     name() {
       const field = /** @type {HTMLInputElement} */ (document.getElementById('handin-who'));
-      const who = tidyText(field.value);
+      const who = field.readOnly ? store.get().student.who : seenText(field.value);
       if (!who) return field.focus();
       typed = who;
       actions.setWho(who);

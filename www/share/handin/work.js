@@ -6,7 +6,7 @@
 /** @import { Measured } from './measure.js' */
 /** @import { Thing } from './own.js' */
 /** @import { HandedIn } from './sheet.js' */
-import { tidyText } from '../../kit/text.js';
+import { seenText } from '../../kit/text.js';
 import { html, nothing, render } from 'lit-html';
 import { byId } from '../../kit/elements.js';
 import { watch } from '../../kit/memo.js';
@@ -124,7 +124,7 @@ export function createWork(tools, root) {
 /** No form, which some frames forbid. @param {(who: string) => void} onWho @param {boolean} isMade It is only looked at. */
 function whoForm(onWho, isMade) {
   const begin = () => {
-    const who = tidyText(/** @type {HTMLInputElement} */ (byId('work-who')).value);
+    const who = seenText(/** @type {HTMLInputElement} */ (byId('work-who')).value);
     if (who) onWho(who);
   };
   return html`

@@ -75,6 +75,7 @@ export const worths = {
 };
 
 export const lacksWho = 'not judged: it has no name or number, for which the exercise is drawn';
+export const unseen = 'its name or number holds characters that nobody sees, and they count in what is drawn';
 export const lacksDrives = 'not judged: nobody knows how many drives it took';
 
 /** @param {number} told */

@@ -75,6 +75,7 @@ export const worths = {
 };
 
 export const lacksWho = '이름이나 학번이 없어 과제가 정해지지 않았으므로 판정하지 않음';
+export const unseen = '이름이나 학번에 보이지 않는 글자가 있고, 과제는 그 글자까지 넣어 정해짐';
 export const lacksDrives = '주행 횟수를 알 수 없어 판정하지 않음';
 
 /** @param {number} told */
