@@ -1,14 +1,25 @@
-// What somebody may hand in to harm the others: what would hold the page, and formulas.
+// What somebody may hand in to harm the others: what would hold the page, formulas, an
+// exercise of one's own, and what nobody sees.
 import assert from 'node:assert/strict';
 import Papa from 'papaparse';
 import { links } from '../../../www/lesson/links.js';
+import { createChecker } from '../../../www/share/collect/check.js';
 import { createReader } from '../../../www/share/collect/entries.js';
-import { csvOf } from '../../../www/share/collect/table.js';
+import { readAll } from '../../../www/share/collect/files.js';
+import { csvOf, remarksOf } from '../../../www/share/collect/table.js';
 import { mark } from '../../../www/share/handin/mark.js';
 import { test } from '../harness/once.js';
-import { engine, handedIn, site } from './hand-ins.js';
+import { engine, exercise, handedIn, site } from './hand-ins.js';
 
 const reader = createReader(links.pages);
+const checker = createChecker(engine, links);
+
+/** @param {Record<string, string>} files Their texts. */
+async function check(files) {
+  const all = Object.entries(files).map(([name, text]) => new File([text], name));
+  const never = { signal: new AbortController().signal, onProgress: () => {} };
+  return checker.check(await readAll(all, reader), null, never);
+}
 
 test('what was made to hold the page is a row as others are', async () => {
   const { link } = await handedIn('s1', [3.3, 0, 4.5]);
@@ -93,4 +104,66 @@ test('no cell is a formula, also for who divides at semicolons, tabs or line end
   );
   const told = String(lines[1].at(-1)).split('#')[1];
   assert.deepEqual(links.openLink(told, engine), links.openLink(linked, engine));
+});
+
+test('by whose exercise a class is judged: each counts once, what was cut does not, and the same digits are not the same exercise', async () => {
+  const easy = exercise.replace('J%3C7.9', 'J%3C90').replace('points=9:0,7.75:10', 'points=91:0,90:10');
+  const [kim, lee] = await Promise.all([handedIn('kim', [3.3, 0, 4.5]), handedIn('lee', [3, 0.1, 6])]);
+  const eves = await Promise.all([1, 2, 3].map((i) => handedIn(`eve ${i}`, [i, 0, 1], easy)));
+  const cut = eves.map(({ text }) => text.slice(0, -3));
+  const twin = await handedIn('eve', [1, 0, 1], easy.replace('less.', 'less.%20Good%20luck%20hMxiyca'));
+  assert.equal(twin.exercise, kim.exercise);
+  const others = { 'kim_3_4_hand.txt': kim.text, 'lee_5_6_hand.txt': lee.text };
+  const { given: own } = await check(others);
+  /** @type {[string, string[]][]} */
+  const harms = [
+    ['several of one', eves.map(({ text }) => text)],
+    ['cut', cut],
+    ['the same digits', [twin.text]],
+  ];
+  for (const [harm, texts] of harms) {
+    const { given, rows } = await check({ 'aeve_1_2_hand.txt': texts.join('\n\n'), ...others });
+    assert.equal(given?.link, own?.link, harm);
+    assert.deepEqual(
+      rows.slice(-2).map((row) => [row.checked?.judged?.isMet, row.checked?.differs]),
+      [
+        [true, []],
+        [false, []],
+      ],
+    );
+  }
+  const many = Object.fromEntries(cut.map((text, i) => [`${'abc'[i]}eve_${i}_7_x.txt`, text]));
+  assert.equal((await check({ ...many, ...others })).given?.link, own?.link);
+  // Where all are cut it is theirs.
+  assert.match((await check(many)).given?.link ?? '', /J%3C90/);
+});
+
+test('a name in which nobody sees all is remarked, and one of which nobody sees anything is none', async () => {
+  const vary = `${exercise}&vary=goal`;
+  const files = await Promise.all(
+    ['s4711', 's47\u206311', '\u3164\u200b'].map((who) => handedIn(who, [3.3, 0, 4.5], vary)),
+  );
+  const { rows } = await check(Object.fromEntries(files.map(({ text }, i) => [`${i}.txt`, text])));
+  const remarks = rows.map((row) => remarksOf(row, rows).join('; '));
+  assert.deepEqual(
+    remarks.map((text) => [/holds characters that nobody sees/.test(text), /has no name/.test(text)]),
+    [
+      [false, false],
+      [true, false],
+      [false, true],
+    ],
+  );
+});
+
+test('what a refusal quotes does not turn the rest of it around', () => {
+  for (const link of [
+    'lab&x%E2%80%AEfoo=1',
+    'lab&seed=%E2%80%AE7',
+    'p%E2%80%AEark',
+    'lab&lesson=%E2%80%AEx',
+  ]) {
+    const { problems } = links.openLink(link, engine);
+    assert.equal(problems.length, 1);
+    assert.doesNotMatch(problems[0], /\u202e/, link);
+  }
 });

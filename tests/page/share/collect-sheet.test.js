@@ -178,6 +178,13 @@ pageTest('the exercise that is open is asked for, unless another was typed', asy
   }, link);
   await goTo(exercise, 'Park for less.');
   assert.equal(await field(), link);
+  // What was handed in may say another exercise.
+  await page.evaluate(() => {
+    /** @type {HTMLInputElement} */ (document.getElementById('collect-exercise')).value = '';
+  });
+  const theirs = await handedIn('s2', [3.3, 0, 4.5], other.replace('Park', 'Drive'));
+  await goTo(theirs.link, 'Drive for less.');
+  assert.equal(await field(), '');
   assert.deepEqual(await page.problems(), []);
 });
 

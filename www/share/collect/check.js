@@ -9,7 +9,7 @@ import { createTurns } from '../../kit/loop.js';
 import { messageOf } from '../../words/errors.js';
 import { exerciseId, exerciseLink } from '../handin/receipt.js';
 import { preparedBy } from './prepared.js';
-import { isHeavy, recompute } from './recompute.js';
+import { isBroken, isHeavy, recompute } from './recompute.js';
 import words from './words/index.js';
 
 /** An exercise: the run with which it was given, what of that nobody could choose, its link and its digits. @typedef {{ run: Linked, base: Experiment, prepared: Prepared, link: string, id: string }} Given */
@@ -53,7 +53,7 @@ export function createChecker(engine, links) {
 
     /**
      * Rows in the order of the entries, and the exercise by which they were judged: the one that is given, or else the one
-     * that most of them say they are of.
+     * that most of those who handed in say they are of.
      * @param {readonly Entry[]} entries @param {Given | null} exercise @param {{ signal: AbortSignal, onProgress: (share: number) => void }} options
      * @returns {Promise<{ rows: Row[], given: Given | null }>}
      */
@@ -67,8 +67,7 @@ export function createChecker(engine, links) {
         await turn();
         signal.throwIfAborted();
       }
-      const readable = runs.filter((run) => run !== null && typeof run !== 'string');
-      const given = await givenTo(engine, links, readable, exercise);
+      const given = await givenTo(tools, entries, runs, exercise);
       let done = 0;
       /** @param {Entry} entry @param {number} i @returns {Promise<Row>} */
       const rowOf = async (entry, i) => {
@@ -112,21 +111,33 @@ function givenOf(engine, links, run) {
   };
 }
 
-/** The exercise that is asked for, or else the one that most are of, as it was given to these. @param {Engine} engine @param {Links} links @param {readonly Linked[]} runs @param {Given | null} asked @returns {Promise<Given | null>} */
-async function givenTo(engine, links, runs, asked) {
+/** The exercise that is asked for, or else the one that most are of, as it was given to these: each counts once, by the last that is whole, and what was cut only where nothing else is there. @param {import('./recompute.js').Tools} tools @param {readonly Entry[]} entries @param {readonly (Linked | string | null)[]} runs @param {Given | null} asked @returns {Promise<Given | null>} */
+async function givenTo(tools, entries, runs, asked) {
+  const turn = createTurns(slice);
+  /** @type {[whole: Map<string, Linked>, broken: Map<string, Linked>]} */
+  const [whole, broken] = [new Map(), new Map()];
+  for (const [i, run] of runs.entries()) {
+    if (run === null || typeof run === 'string') continue;
+    (isBroken(tools, run, entries[i]) ? broken : whole).set(whoseOf(entries[i], run, i), run);
+    await turn();
+  }
+  // By the whole link: other exercises can be made that have the same digits.
   /** @type {Map<string, { given: Given, of: Linked[] }>} */
   const found = new Map();
-  const turn = createTurns(slice);
-  for (const run of runs) {
-    const given = givenOf(engine, links, run);
-    const known = found.get(given.id);
+  for (const run of (whole.size > 0 ? whole : broken).values()) {
+    const given = givenOf(tools.engine, tools.links, run);
+    const known = found.get(given.link);
     if (known) known.of.push(run);
-    else found.set(given.id, { given, of: [run] });
+    else found.set(given.link, { given, of: [run] });
     await turn();
   }
   const given = asked ?? [...found.values()].sort((a, b) => b.of.length - a.of.length)[0]?.given;
-  return given ? { ...given, prepared: preparedBy(given.run, found.get(given.id)?.of ?? []) } : null;
+  return given ? { ...given, prepared: preparedBy(given.run, found.get(given.link)?.of ?? []) } : null;
 }
+
+/** By this a hand-in is one person's. @param {Entry} entry @param {Linked} run @param {number} index */
+const whoseOf = ({ name, ident }, { student }, index) =>
+  JSON.stringify(name ? [name, ident] : student.who || index);
 
 /** Who has the very same answer as whom: one list for all of an answer. @param {Row[]} rows @returns {Row[]} */
 function withTwins(rows) {

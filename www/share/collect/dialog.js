@@ -105,8 +105,9 @@ function createFilling({ engine, store, links }) {
   let filled = '';
   return () => {
     const asked = /** @type {HTMLInputElement} */ (byId('collect-exercise'));
-    const { exercise } = store.get();
-    if (isEmpty(exercise) || !['', filled].includes(asked.value)) return;
+    const { exercise, student } = store.get();
+    // What a student handed in may say another.
+    if (isEmpty(exercise) || student.handin || !['', filled].includes(asked.value)) return;
     filled = links.linkOf(store.get(), engine.experiment);
     asked.value = filled;
   };

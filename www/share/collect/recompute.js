@@ -77,12 +77,18 @@ async function answerOf({ engine, paper }, run, signal) {
   return { gains: population[0].gains, drives: statistics.evaluations };
 }
 
+/** A receipt that was cut or changed. @param {Pick<Tools, 'engine' | 'links'>} tools @param {Linked} run @param {Entry} entry */
+export function isBroken({ engine, links }, run, { isReceipt }) {
+  const { handin } = run.student;
+  return handin ? toldIn(handin) === null || !isWhole(run, engine, links) : isReceipt;
+}
+
 /** @param {Tools} tools @param {Linked} run @param {Entry} entry @param {ReturnType<typeof toldIn>} told @param {Measured} own @returns {Worth} */
-function worthOf({ engine, links }, run, entry, told, own) {
-  if (!run.student.handin) return entry.isReceipt ? 'broken' : 'none';
-  if (!told || !isWhole(run, engine, links)) return 'broken';
+function worthOf(tools, run, entry, told, own) {
+  if (isBroken(tools, run, entry)) return 'broken';
+  if (!told) return 'none';
   if (holds(told, own)) return 'holds';
-  return told.program === engine.version() ? 'otherResult' : 'otherProgram';
+  return told.program === tools.engine.version() ? 'otherResult' : 'otherProgram';
 }
 
 /** How the gains were found. @param {Linked} run */
