@@ -22,7 +22,7 @@ import { createMaker } from './exercise/maker.js';
 import { frameOf, frames, handedAddress, isOnDisk } from './frame-text.js';
 import { descriptionOf, drawingOf, picturesOnScreen } from './pictures.js';
 import { pngOf } from './png.js';
-import { openRunFile, runFile } from './run-file.js';
+import { openRunFile, runFile, textOfRun } from './run-file.js';
 import { svgOf } from './svg.js';
 import words from './words/index.js';
 
@@ -74,7 +74,8 @@ export function createKeep(tools, sheet) {
     const { signal } = reading;
     say(words.reading);
     try {
-      const { opened, generations, hasDrive } = await openRunFile(await file.text(), engine, links, signal);
+      const text = await textOfRun(file);
+      const { opened, generations, hasDrive } = await openRunFile(text, engine, links, signal);
       if (signal.aborted) return;
       tools.keepPlace(opened);
       // In an exercise the file counts the drives that were made, which would count once more.

@@ -33,6 +33,13 @@ export function runFile(state, engine, links, drive) {
   return `${JSON.stringify(content, null, 1)}\n`;
 }
 
+/** Of one that is too large not even the text. @param {Pick<Blob, 'size' | 'text'>} file */
+export async function textOfRun(file) {
+  // In UTF-8 one has three bytes at most.
+  if (file.size > 3 * mostCharacters) throw new Error(words.largeFile);
+  return file.text();
+}
+
 /**
  * Reads a run, and makes it again to see that it comes to the same. Throws an Error that says what is wrong with the file.
  * @param {string} text @param {Engine} engine @param {Links} links @param {AbortSignal} [signal]

@@ -244,6 +244,20 @@ pageTest('whatever an aim wants is measured while one drives, with the gains as 
   }
 });
 
+pageTest('a name stays that for which something is drawn, also with what nobody sees in it', async (page) => {
+  await page.open(`#${exercise}&vary=goal&who=s47%E2%81%A311`);
+  await page.until('it can be handed in', () => document.getElementById('hand-in'));
+  await page.click('#hand-in');
+  await page.until('the receipt is there', () => document.getElementById('handin-text'));
+  await page.click('#handin-make');
+  const link = await page.until(
+    'it is there again',
+    () => /** @type {HTMLInputElement | null} */ (document.getElementById('handin-link'))?.value,
+  );
+  assert.match(link, /&who=s47%E2%81%A311&handin=/);
+  assert.deepEqual(await page.problems(), []);
+});
+
 pageTest('a receipt is one person’s: where the name is corrected it is made anew', async (page) => {
   await page.open(`#${exercise}${byHand}`);
   await page.until('it can be handed in', () => document.getElementById('hand-in'));

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { openRunFile, runFile } from '../../../www/share/run-file.js';
+import { openRunFile, runFile, textOfRun } from '../../../www/share/run-file.js';
 import { links } from '../../../www/lesson/links.js';
 import { lastGeneration } from '../../../www/run/pace.js';
 import { Evolution, experiment, paper, simulateAll } from '../harness/core.js';
@@ -132,4 +132,10 @@ test('a file that is damaged or foreign is refused with the reason', async () =>
   ]);
   for (const [text, reason] of rows)
     await assert.rejects(openRunFile(text, engine, links), { message: reason }, text.slice(0, 60));
+});
+
+test('what is too large for a run is not read', async () => {
+  const text = async () => assert.fail('it was read');
+  await assert.rejects(textOfRun({ size: 150_000_001, text }), { message: /too large/ });
+  assert.equal(await textOfRun(new Blob(['실험'])), '실험');
 });
