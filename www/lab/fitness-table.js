@@ -4,6 +4,9 @@
 import { hasSigmas } from '../core/methods.js';
 import { lab, tables as words } from '../words/index.js';
 
+/** Points stand under each other. @param {number} value */
+const sigmaText = (value) => (value >= 0.01 ? lab.fixed(value, 3) : lab.powerText(value));
+
 /** @param {{ history: Statistics[], experiment: Experiment }} evolved @returns {Table} */
 export const fitnessTable = ({ history, experiment }) => ({
   caption: words.fitnessCaption(history.length - 1),
@@ -15,7 +18,7 @@ export const fitnessTable = ({ history, experiment }) => ({
       String(generation),
       String(evaluations),
       ...[best.cost, median, worst].map(lab.costText),
-      ...meanSigmas.map(hasSigmas(experiment.evolution.method) ? lab.threeDigits : () => ''),
+      ...meanSigmas.map(hasSigmas(experiment.evolution.method) ? sigmaText : () => ''),
     ];
   },
 });

@@ -42,6 +42,15 @@ test('where a method has no σ its cells are empty in both tables, and no others
   }
 });
 
+test('in the fitness table the points of σ stand under each other, and what is small has its power of ten', () => {
+  const history = historyOf(base, 200);
+  const { rowOf } = fitnessTable({ history, experiment: base });
+  const texts = history.flatMap((_, row) => rowOf(row).slice(5));
+  for (const text of texts) assert.match(String(text), /^\d+\.\d{3}$|^\d(\.\d+)?×10⁻/);
+  assert.equal(texts[0], '1.000');
+  assert.ok(texts.some((text) => /⁻/.test(String(text))));
+});
+
 pageTest('where a method has no σ the choice is gone, and a link that asks for it opens', async (page) => {
   const shown = () =>
     page.evaluate(() =>
