@@ -34,7 +34,7 @@ function toldOf(anatomy, chosen, adaptation = 1) {
   const html = written(detailsOf(model, { rates, choose() {} }));
   const plain = (/** @type {string} */ text) => text.replaceAll(/<[^>]*>/g, ' ').replaceAll(/\s+/g, ' ');
   const equations = [...html.matchAll(/<p class="equation">(.*?)<\/p>/gs)].map(([, one]) => plain(one));
-  return { text: plain(html), equations };
+  return { text: plain(html), equations, unbroken: html.split(/ =\u00a0(?=\d)/).length - 1 };
 }
 
 /** What evolutionary programming may be made of: for each choice, all its words. @type {readonly Partial<Settings>[][]} */
@@ -60,8 +60,9 @@ test('what is written of a mutation is true, whatever it is made of: each equati
       const anatomy = anatomyOf(change, generation);
       const { record, count } = anatomy;
       for (let chosen = 0; chosen < 2 * count; chosen += 1) {
-        const { equations } = toldOf(anatomy, chosen, adaptation);
-        assert.equal(equations.length, 6);
+        const { equations, unbroken } = toldOf(anatomy, chosen, adaptation);
+        // What each σ comes to stands in no line of its own.
+        assert.deepEqual([equations.length, unbroken], [6, 3]);
         const child = record.offspring[chosen % count];
         for (const [i, equation] of equations.entries()) {
           const what = `${JSON.stringify(change)}: ${equation}`;

@@ -170,7 +170,7 @@ function sigmaEquation(birth, i, rates) {
     words.sigmaText(grownSigma(birth, i, rates)),
     words.sigmaText(child.sigmas[i]),
   );
-  return html`<p class="equation">${becoming('σ', i)} ${words.sigmaText(base.sigmas[i])} × e<sup>${exponent}</sup> = ${product}</p>`;
+  return html`<p class="equation">${becoming('σ', i)} ${words.sigmaText(base.sigmas[i])} × e<sup>${exponent}</sup> =\u00a0${product}</p>`;
 }
 
 /** τ′N @param {Birth} birth @param {Rates} rates */
