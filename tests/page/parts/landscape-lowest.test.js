@@ -109,6 +109,23 @@ test('a name beside which somebody stands goes to another side', () => {
   assert.ok(moved && moved.left + moved.width < 200);
 });
 
+test('no name lies on what is sought: it covers a mark instead, or gives way', () => {
+  const named = { x: 200, y: 150, name: 'name', width: 60 };
+  const [beside] = placeNames(frame, [named], [[200, 150, 8], [160, 150, 8]], [[240, 150, 8]]); // biome-ignore format: marks
+  assert.ok(beside && (beside.left + 60 < 200 || Math.abs(beside.top + 8.5 - 150) > 8));
+  const all = /** @type {const} */ ([[240, 150, 8], [160, 150, 8], [200, 125, 8], [200, 175, 8]]); // biome-ignore format: all sides
+  assert.deepEqual(placeNames(frame, [named], [], all), [null]);
+});
+
+test('a name that has no room before the edge stands at the other side, and its halo ends on the map', () => {
+  for (const x of [426, 430, 440, 500]) {
+    const [place] = placeNames(frame, [{ x, y: 150, name: 'name', width: 60 }], [[x, 150, 8]]);
+    assert.ok(place && place.left + 60 < x, `${x}: ${place?.left}`);
+  }
+  const [last] = placeNames(frame, [{ x: 420, y: 298, name: 'name', width: 60 }], []);
+  assert.ok(last && last.left + 60 + 4 < frame.right && last.top + 17 + 4 < frame.bottom);
+});
+
 test('no name lies on another: where there is no side left, the later ones give way', () => {
   fc.assert(
     fc.property(fc.array(somewhere, { minLength: 2, maxLength: 8 }), (points) => {

@@ -6,6 +6,8 @@
 /** @typedef {readonly [x: number, y: number, radius: number]} Spot What no name should cover. */
 
 const [gap, high] = [12, 17];
+/** As far from the edge of the map its halo is seen whole. */
+const inset = 6;
 
 /** Right of the mark, left, above and below. @param {Named} named @returns {Place[]} */
 const around = ({ x, y, width }) =>
@@ -18,8 +20,8 @@ const around = ({ x, y, width }) =>
 
 /** Within the map. @param {Frame} frame @param {Place} place @returns {Place} */
 const within = ({ left, right, top, bottom }, place) => ({
-  left: Math.max(left + 2, Math.min(place.left, right - place.width - 2)),
-  top: Math.max(top + 2, Math.min(place.top, bottom - high - 2)),
+  left: Math.max(left + inset, Math.min(place.left, right - place.width - inset)),
+  top: Math.max(top + inset, Math.min(place.top, bottom - high - inset)),
   width: place.width,
 });
 
@@ -31,16 +33,20 @@ const isCovered = ({ left, top, width }, [x, y, radius]) =>
 const overlap = (a, b) =>
   a.left < b.left + b.width && b.left < a.left + a.width && Math.abs(a.top - b.top) < high;
 
-/** One after the other; what covers least is taken, the first of those that cover as little. A name gives way that would lie on one before. @param {Frame} frame @param {readonly Named[]} named @param {readonly Spot[]} spots @returns {(Place | null)[]} */
-export function placeNames(frame, named, spots) {
+/** One after the other; what covers least is taken, the first of those that cover as little; to be moved from the edge counts as one. A name gives way that would lie on one before, or on what is sought. @param {Frame} frame @param {readonly Named[]} named @param {readonly Spot[]} spots @param {readonly Spot[]} [sought] @returns {(Place | null)[]} */
+export function placeNames(frame, named, spots, sought = []) {
   /** @type {Place[]} */
   const taken = [];
   return named.map((one) => {
     const free = around(one)
-      .map((place) => within(frame, place))
-      .filter((place) => !taken.some((other) => overlap(place, other)));
-    const covers = free.map((place) => spots.filter((spot) => isCovered(place, spot)).length);
-    const place = free[covers.indexOf(Math.min(...covers))] ?? null;
+      .map((beside) => ({ beside, place: within(frame, beside) }))
+      .filter(({ place }) => !taken.some((other) => overlap(place, other)))
+      .filter(({ place }) => !sought.some((spot) => isCovered(place, spot)));
+    const covers = free.map(
+      ({ beside, place }) =>
+        spots.filter((spot) => isCovered(place, spot)).length + Number(place.left !== beside.left),
+    );
+    const place = free[covers.indexOf(Math.min(...covers))]?.place ?? null;
     if (place) taken.push(place);
     return place;
   });

@@ -36,11 +36,9 @@ export function namesOf(frame, points, best, widthOf) {
     name,
     width: widthOf(name),
   }));
-  const spots = [
-    ...points.map(({ place: [x, y], mark }) => /** @type {const} */ ([x, y, reachOf(mark)])),
-    ...best.map(([x, y]) => /** @type {const} */ ([x, y, 8])),
-  ];
-  return placeNames(frame, named, spots).map((place, i) => ({ name: named[i].name, place }));
+  const spots = points.map(({ place: [x, y], mark }) => /** @type {const} */ ([x, y, reachOf(mark)]));
+  const sought = best.map(([x, y]) => /** @type {const} */ ([x, y, 8]));
+  return placeNames(frame, named, spots, sought).map((place, i) => ({ name: named[i].name, place }));
 }
 
 /** Whole also at the edge, where a gain is 0. @param {CanvasRenderingContext2D} context @param {Frame} frame @param {readonly Placed[]} points @param {readonly (readonly [number, number])[]} best */
