@@ -7,7 +7,7 @@ import { postureAt, referenceOf, sizes } from './track.js';
 import { strongFont } from '../kit/lettering.js';
 import { knobOf } from '../kit/transform.js';
 import { isTracking } from '../core/reference.js';
-import { around, meet, namesIn, roomOf, widthOf } from './plane-names.js';
+import { around, meet, namesIn, paymentsOn, roomOf, widthOf } from './plane-names.js';
 import { strayOf } from './robots.js';
 
 /** At an edge, so far above the corner below. @typedef {{ corner: string, raised: number, room: Room }} Place */
@@ -26,14 +26,14 @@ function standing({ view, ends, runs, isPaid }) {
   const at = (/** @type {{ x: number, y: number }} */ { x, y }, /** @type {number} */ radius) =>
     around(view.screenX(x), view.screenY(y), radius);
   const last = (/** @type {Track} */ run) => postureAt(run, Infinity);
-  const [driving] = runs;
+  const [driving, , ...pins] = runs;
   const stray = strayOf(view, last(driving));
   return [
     ...Object.values(ends).flatMap((end) => {
       const { px, py } = knobOf(view, end);
       return [at(end, sizes.posture), around(px, py, 8)];
     }),
-    ...namesIn(view, ends, driving, isPaid).map(roomOf),
+    ...namesIn(view, ends, driving, isPaid, pins).map(roomOf),
     ...runs.map((run) => at(last(run), sizes.robot + 3)),
     ...(isTracking(driving) ? [at(last(referenceOf(driving)), sizes.posture)] : []),
     ...(stray ? [around(stray.px, stray.py, 12), roomOf(stray.name)] : []),
@@ -53,9 +53,15 @@ function passing({ view, runs }, { left, right, top, bottom }) {
   return count;
 }
 
+/** What is written along the path. @param {Standing} standing */
+const written = ({ view, ends, runs, isPaid }) =>
+  isPaid
+    ? paymentsOn(view, runs[0], ends.start, ends.goal).flatMap(({ name }) => (name ? [roomOf(name)] : []))
+    : [];
+
 /** The first that meets nothing, else the one that meets least. @template {Place} P @param {Standing} all @param {readonly P[]} places @param {readonly Room[]} [more] */
 function emptiest(all, places, more = []) {
-  const things = [...standing(all), ...more];
+  const things = [...standing(all), ...written(all), ...more];
   let best = { place: places[0], met: Number.POSITIVE_INFINITY, passed: 0 };
   for (const place of places) {
     const met = things.filter((thing) => meet(thing, place.room)).length;

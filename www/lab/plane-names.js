@@ -1,8 +1,10 @@
 // The names of start and goal on the plane, each beside its arrow.
 /** @import { Posture, Run } from '../core/engine.js' */
 /** @import { View } from '../kit/transform.js' */
+import { scaleLinear } from 'd3-scale';
+import { paidAt } from '../core/paid.js';
 import { textFont } from '../kit/lettering.js';
-import { once } from '../kit/memo.js';
+import { once, remember } from '../kit/memo.js';
 import { knobOf } from '../kit/transform.js';
 import { lab as strings } from '../words/index.js';
 
@@ -12,14 +14,28 @@ import { lab as strings } from '../words/index.js';
 /** A plane that has no room for what is written along the path, nor beside the legend. @param {View} view */
 export const isSmall = ({ height }) => height < 280;
 
-/** Start and goal by name, as far as there is room: at their right hand, or at their left, where J is written on the right of the path. @param {View} view @param {{ start: Posture, goal: Posture }} ends @param {Run} run @param {boolean} isPaid @returns {PostureName[]} */
-export function namesIn(view, { start, goal }, run, isPaid) {
+/** Start and goal by name, as far as there is room: at their right hand, or at their left, where J is written on the right of the path. @param {View} view @param {{ start: Posture, goal: Posture }} ends @param {Run} run @param {boolean} isPaid @param {readonly Run[]} [pins] @returns {PostureName[]} */
+export function namesIn(view, { start, goal }, run, isPaid, pins = []) {
   if (view.height < 170) return [];
   const side = isPaid ? -1 : 1;
   const names = [nameAt(view, start, strings.startName, side)];
   if (!isTaken(view, goal, side, run)) names.push(nameAt(view, goal, strings.goalName, side));
   else if (!isSmall(view)) names.push(nameAt(view, goal, strings.goalName, -side));
-  return names;
+  return names.map((name) => besideMarks(view, name, pins));
+}
+
+/** Further out, where it would lie on the mark above a pinned robot at rest. @param {View} view @param {PostureName} name @param {readonly Run[]} pins @returns {PostureName} */
+function besideMarks(view, name, pins) {
+  const marks = pins.map(({ x, y }) =>
+    around(view.screenX(x[x.length - 1]), view.screenY(y[y.length - 1]) - 20, 8),
+  );
+  const met = marks.filter((mark) => meet(mark, roomOf(name)));
+  if (met.length === 0 || name.align === 'center') return name;
+  const isLeft = name.align === 'right';
+  return {
+    ...name,
+    px: isLeft ? Math.min(...met.map(({ left }) => left)) : Math.max(...met.map(({ right }) => right)),
+  };
 }
 
 /** Whether the robot ends where the name of its goal would stand. @param {View} view @param {Posture} goal @param {number} side @param {Run} run */
@@ -82,3 +98,30 @@ export const isOnHandle = (view, ends, room) =>
     const line = [0.2, 0.4, 0.6, 0.8].map((part) => around(x + part * (px - x), y + part * (py - y), 1));
     return [around(px, py, 6), ...line].some((one) => meet(one, room));
   });
+
+/** A stroke across the path, and the name beside it, which is not everywhere. @typedef {{ px: number, py: number, across: number, up: number, name: PostureName | null }} Payment */
+
+/** Along the path, wherever so much of J is paid. */
+export const paymentsOn = remember(
+  /** @param {View} view @param {Run} run @param {Posture} start @param {Posture} goal @returns {Payment[]} */
+  (view, run, start, goal) => {
+    const last = run.time.length - 1;
+    const total = paidAt(run, last);
+    if (!Number.isFinite(total)) return [];
+    let i = 0;
+    /** Where there is no room between two, only the first has its number, and on a handle none. */
+    let named = [Number.NEGATIVE_INFINITY, 0];
+    const ticks = scaleLinear([0, total], [0, 1]).ticks(6).slice(1);
+    return ticks.map((cost) => {
+      while (i < last && paidAt(run, i) < cost) i += 1;
+      const [px, py] = [view.screenX(run.x[i]), view.screenY(run.y[i])];
+      const [across, up] = [Math.sin(run.theta[i]), Math.cos(run.theta[i])];
+      /** @type {PostureName} */
+      const name = { text: strings.paidText(cost), px: px + 24 * across, py: py + 18 * up, align: 'center' };
+      const isClose = Math.abs(name.px - named[0]) < 36 && Math.abs(name.py - named[1]) < 15;
+      if (isClose || isOnHandle(view, [start, goal], roomOf(name))) return { px, py, across, up, name: null };
+      named = [name.px, name.py];
+      return { px, py, across, up, name };
+    });
+  },
+);

@@ -3,10 +3,8 @@
 /** @import { View } from '../kit/transform.js' */
 /** @import { Pins } from '../run/pins.js' */
 /** @import { Scene } from '../run/scene.js' */
-/** @import { PostureName } from './plane-names.js' */
-import { scaleLinear } from 'd3-scale';
+/** @import { Payment, PostureName } from './plane-names.js' */
 import { createWatchedLayer, fillTextWithHalo, sharpLine } from '../kit/canvas.js';
-import { paidAt } from '../core/paid.js';
 import { take } from '../kit/chart.js';
 import { setLettering } from '../kit/lettering.js';
 import { colour, pale } from '../kit/palette.js';
@@ -15,7 +13,7 @@ import { styles } from '../run/pins.js';
 import { knobOf } from '../kit/transform.js';
 import { isTracking } from '../core/reference.js';
 import { lab as strings } from '../words/index.js';
-import { isOnHandle, isSmall, namesIn, roomOf, widthOf } from './plane-names.js';
+import { isSmall, namesIn, paymentsOn, widthOf } from './plane-names.js';
 import { drawRobots } from './robots.js';
 import { emptyKite, kite, referenceOf, sizes, strokeRuns } from './track.js';
 
@@ -31,11 +29,11 @@ export function createPlane(pathsCanvas, robotsCanvas) {
     const shown = [driving, others, comparison, scene.pins, theme];
     paths(view, [...shown, start, goal, pays], (context) => {
       const isPaid = pays && !isSmall(view);
-      const names = namesIn(view, { start, goal }, driving, isPaid);
+      const names = namesIn(view, { start, goal }, driving, isPaid, scene.pins);
       drawGrid(context, view, names);
       drawPinnedGoals(context, view, pins, goal);
       drawPaths(context, view, scene, pins);
-      if (isPaid) drawPayments(context, view, driving, [start, goal]);
+      if (isPaid) drawPayments(context, paymentsOn(view, driving, start, goal));
       drawTarget(context, view, start, '--muted');
       drawTarget(context, view, goal, '--ink');
       drawPostureNames(context, names);
@@ -105,33 +103,16 @@ function drawPinnedGoals(context, view, pins, goal) {
   }
 }
 
-/** Along the path, a stroke wherever so much of J is paid. @param {CanvasRenderingContext2D} context @param {View} view @param {Run} run @param {readonly Posture[]} ends */
-function drawPayments(context, view, run, ends) {
-  const last = run.time.length - 1;
+/** @param {CanvasRenderingContext2D} context @param {readonly Payment[]} payments */
+function drawPayments(context, payments) {
   const half = 5;
-  setLettering(context, { align: 'center' });
-  const total = paidAt(run, last);
-  let i = 0;
-  /** Where there is no room between two, only the first has its number, and on a handle none. */
-  let named = [Number.NEGATIVE_INFINITY, 0];
-  if (!Number.isFinite(total)) return;
-  for (const cost of scaleLinear([0, total], [0, 1]).ticks(6).slice(1)) {
-    while (i < last && paidAt(run, i) < cost) i += 1;
-    const { x, y, theta } = { x: run.x[i], y: run.y[i], theta: run.theta[i] };
-    const [px, py] = [view.screenX(x), view.screenY(y)];
-    const [across, up] = [Math.sin(theta), Math.cos(theta)];
+  for (const { px, py, across, up, name } of payments) {
     take(context, { token: '--ink', width: 1.5 });
     context.beginPath();
     context.moveTo(px - half * across, py - half * up);
     context.lineTo(px + half * across, py + half * up);
     context.stroke();
-    const look = { fill: colour('--muted'), halo: colour('--paper') };
-    const [textX, textY] = [px + 24 * across, py + 18 * up];
-    if (Math.abs(textX - named[0]) < 36 && Math.abs(textY - named[1]) < 15) continue;
-    const text = strings.paidText(cost);
-    if (isOnHandle(view, ends, roomOf({ text, px: textX, py: textY, align: 'center' }))) continue;
-    named = [textX, textY];
-    fillTextWithHalo(context, text, textX, textY, look);
+    if (name) drawPostureNames(context, [name]);
   }
 }
 

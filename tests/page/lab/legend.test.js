@@ -12,8 +12,8 @@ const links = steps.flatMap(({ name, blocks }) => {
   return [linkOfStep(number), ...shown.map((link) => hrefOf(link, number).slice(1))];
 });
 
-/** The names of the legend that lie on the arrow of start or goal, or on its knob. */
-const covering = async () => {
+/** The words on the plane that lie on the arrow of start or goal, or on its knob. @param {string} words */
+const covering = async (words) => {
   await pageFrames.settled();
   const handles = [...document.querySelectorAll('#plane .handle')].map((handle) => {
     const { left, right, top, bottom } = handle.getBoundingClientRect();
@@ -21,7 +21,7 @@ const covering = async () => {
     return { id: handle.id, x: (left + right) / 2, y: (top + bottom) / 2, radius };
   });
   const range = document.createRange();
-  const lines = [...document.querySelectorAll('#legend li')].filter((line) => line.checkVisibility());
+  const lines = [...document.querySelectorAll(words)].filter((line) => line.checkVisibility());
   const flaws = lines.flatMap((line) => {
     range.selectNodeContents(line);
     return [...range.getClientRects()].flatMap(({ left, right, top, bottom }) =>
@@ -48,7 +48,7 @@ pageTest('in low windows no name of the legend lies on start or goal, in any ste
       await follow(page, link);
       for (const size of sizes) {
         await surround(page, size);
-        const { flaws, isSeen } = await page.evaluate(covering);
+        const { flaws, isSeen } = await page.evaluate(covering, '#legend li');
         for (const flaw of flaws) found.push(`${link}, ${size[0]}: ${flaw}`);
         if (isSeen) seen += 1;
       }
@@ -61,4 +61,25 @@ pageTest('in low windows no name of the legend lies on start or goal, in any ste
   assert.equal(found.join('\n'), '');
   // Nothing lies on what is not there.
   assert.ok(seen > 30, `${seen} have a legend, a start and a goal`);
+});
+
+pageTest('on a telephone the names of two pins leave start and goal alone', async (page) => {
+  if (page.engine !== 'chromium') return;
+  try {
+    await page.open('#lab&v=1');
+    for (const part of ['lab', 'curves']) {
+      await follow(page, `${part}&v=1&generation=40&pin1=first~5,1,5&pin2=second~8.2,3.1,7~law:kanayama`);
+      await surround(page, [390, 844]);
+      const { flaws, isSeen } = await page.evaluate(covering, '#legend li, #postures li');
+      assert.deepEqual(
+        flaws.filter((flaw) => flaw.endsWith('-position')),
+        [],
+        part,
+      );
+      assert.ok(isSeen);
+      assert.equal(await page.evaluate(() => document.querySelectorAll('#legend .pin').length), 2);
+    }
+  } finally {
+    await endSurrounding(page);
+  }
 });

@@ -84,7 +84,9 @@ async function overlaid() {
       range.selectNodeContents(whole);
       const isHandle = whole.matches('.handle');
       const middle = whole.getBoundingClientRect();
-      const boxes = isHandle ? [middle] : text ? range.getClientRects() : [];
+      // What has a ground covers with it what is paid.
+      const isWhole = isHandle || getComputedStyle(whole).backgroundColor !== 'rgba(0, 0, 0, 0)';
+      const boxes = isWhole ? [middle] : text ? range.getClientRects() : [];
       // Of a handle what is drawn: the arrow, or the knob.
       const least = isHandle ? (whole.matches('.position') ? 13 : 17) : 0;
       for (const box of boxes) {
@@ -131,7 +133,8 @@ pageTest('where there is room for what is paid along the path, none of it lies o
     await page.open('#lab&v=1');
     await surround(page, [1366, 900]);
     await page.evaluate(keepTexts);
-    for (const [name, link] of links.filter(([one]) => ['limits', 'paper, literal?'].includes(one))) {
+    const wanted = ['limits', 'stability', 'paper, literal?'];
+    for (const [name, link] of links.filter(([one]) => wanted.includes(one))) {
       await follow(page, link);
       assert.deepEqual(await page.evaluate(overlaid), [], name);
       const paid = await page.evaluate(() => {
@@ -143,6 +146,20 @@ pageTest('where there is room for what is paid along the path, none of it lies o
       });
       assert.ok(paid >= 3, `${name}: ${paid}`);
     }
+  } finally {
+    await endSurrounding(page);
+  }
+});
+
+pageTest('on a telephone what is paid along the path is read whole', async (page) => {
+  if (page.engine !== 'chromium') return;
+  try {
+    await page.open('#curves&v=1&view=stability&generation=20');
+    await surround(page, [390, 844]);
+    await page.evaluate(keepTexts);
+    await follow(page, 'curves&v=1&view=numbers&generation=20&drives=paper-ep');
+    await follow(page, 'curves&v=1&view=stability&generation=20');
+    assert.deepEqual(await page.evaluate(overlaid), []);
   } finally {
     await endSurrounding(page);
   }
