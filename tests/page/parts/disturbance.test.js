@@ -226,3 +226,37 @@ pageTest(
     assert.deepEqual(await page.problems(), []);
   },
 );
+
+pageTest(
+  'no number is under the formula above it, and what is set stands below what is chosen',
+  async (page) => {
+    for (const [width, height] of /** @type {const} */ ([
+      [1440, 900],
+      [1024, 768],
+    ])) {
+      await page.resize(width, height);
+      await page.open('#disturbance&v=1&under=random,0.1,0.1,7');
+      await page.until('the numbers are there', () =>
+        /\d/.test(document.querySelector('.remains td')?.textContent ?? ''),
+      );
+      const { formulas, numbers, draw, fields } = await page.evaluate(async () => {
+        await pageFrames.settled();
+        const range = document.createRange();
+        const boxes = (/** @type {string} */ selector) =>
+          [...document.querySelectorAll(selector)].map((one) => {
+            range.selectNodeContents(one);
+            return one.matches('td') ? range.getBoundingClientRect() : one.getBoundingClientRect();
+          });
+        return {
+          formulas: boxes('.remains-formula').map(({ bottom }) => bottom),
+          numbers: boxes('.remains th + td').map(({ top }) => top),
+          draw: boxes('#disturbance-draw')[0].bottom,
+          fields: boxes('.sizes input[type="text"]').map(({ top }) => top),
+        };
+      });
+      assert.equal(numbers.length, 3);
+      for (const [i, top] of numbers.entries()) assert.ok(top >= formulas[i] - 1, `${formulas[i]}, ${top}`);
+      for (const top of fields) assert.ok(top >= draw + 4, `${draw}, ${top}`);
+    }
+  },
+);
