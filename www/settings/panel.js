@@ -70,6 +70,7 @@ export function createSettingsPanel({ engine, store, actions }, hasLab) {
         valueAt(experiment, path) === valueAt(original, path) ? [] : path,
       );
       button.textContent = words.buttonText(differing.length);
+      button.dataset.other = words.buttonText(1);
       button.title = words.changedText(differing.length);
       if (!isOpen) return;
       const views = rowsMade();

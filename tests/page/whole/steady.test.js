@@ -66,3 +66,98 @@ pageTest('a gain of six digits is seen whole, in every row of gains', async (pag
     assert.deepEqual(fields, [false, false, false], link);
   }
 });
+
+/** Where they are within the page. @param {Page} page @param {string} selector */
+const placesOf = (page, selector) =>
+  page.evaluate(async (all) => {
+    await pageFrames.settled();
+    return [...document.querySelectorAll(all)]
+      .filter((one) => one.checkVisibility())
+      .map((one) => one.getBoundingClientRect())
+      .map(({ left, top }) => [left + scrollX, top + scrollY]);
+  }, selector);
+
+/** @param {readonly number[][]} now @param {readonly number[][]} before @param {string} when */
+function assertSame(now, before, when) {
+  assert.ok(before.length > 0, when);
+  assert.equal(now.length, before.length, when);
+  for (const [i, place] of now.entries())
+    for (const [j, at] of place.entries())
+      assert.ok(Math.abs(at - before[i][j]) < 0.5, `${when}: ${before[i]} → ${place}`);
+}
+
+pageTest('who drives is chosen anew at the same place, whatever opens above it', async (page) => {
+  for (const link of ['lab', 'curves', 'landscape', 'robustness', 'disturbance&under=random,0.1,0.1,7'])
+    for (const [width, height] of /** @type {const} */ ([
+      [1440, 900],
+      [1024, 768],
+    ])) {
+      await page.resize(width, height);
+      await page.open(`#${link}&v=1&generation=2`);
+      await page.click('#drives-evolved');
+      const choices = '#drives label';
+      const before = await placesOf(page, choices);
+      for (const driver of ['hand', 'paper-ep', 'paper-arbitrary', 'evolved']) {
+        await page.click(`#drives-${driver}`);
+        assertSame(await placesOf(page, choices), before, `${link}, ${width}, ${driver}`);
+      }
+    }
+});
+
+pageTest('beside a map what is pressed stays where it is, whoever drives', async (page) => {
+  await page.resize(1440, 900);
+  for (const [part, pressed] of [
+    ['landscape', '#run, .axes select, #landscape-table'],
+    ['robustness', '.survey-bar label, #robustness-table'],
+  ]) {
+    await page.open(`#${part}&v=1&generation=2&drives=evolved`);
+    const before = await placesOf(page, pressed);
+    for (const driver of ['paper-ep', 'paper-arbitrary', 'hand']) {
+      await page.click(`#drives-${driver}`);
+      assertSame(await placesOf(page, pressed), before, `${part}, ${driver}`);
+    }
+  }
+});
+
+pageTest('through a generation one goes forth and back at one place, also while it runs', async (page) => {
+  await page.resize(1440, 900);
+  await page.open('#generation&v=1&generation=3&phase=parents');
+  const steps = '#generation-back, #generation-next, #generation-phases label';
+  const before = await placesOf(page, steps);
+  for (let i = 0; i < 5; i += 1) {
+    await page.click('#generation-next');
+    assertSame(await placesOf(page, steps), before, `${i + 1} phases further`);
+  }
+  await page.setPace(0);
+  const beside = '#one-back, #one-generation, #timeline';
+  const still = await placesOf(page, beside);
+  await page.click('#run');
+  await page.until('it pauses', () => document.getElementById('run')?.textContent === 'Pause');
+  assertSame(await placesOf(page, beside), still, 'while it runs');
+});
+
+pageTest('a new seed moves neither the head of the page nor J or σ', async (page) => {
+  await page.resize(1440, 900);
+  await page.open('#lab&v=1&generation=1');
+  const pressed = '#preset label, .tools > *, #curve-choice label';
+  const before = await placesOf(page, pressed);
+  await page.click('#new-seed');
+  await page.until('another seed', () => document.getElementById('seed')?.textContent !== '1');
+  assertSame(await placesOf(page, pressed), before, 'new seed');
+});
+
+pageTest('what is at the head of every part stays where it is, also where nothing is set', async (page) => {
+  for (const [width, height] of /** @type {const} */ ([
+    [1440, 900],
+    [820, 1180],
+    [390, 844],
+  ])) {
+    await page.resize(width, height);
+    await page.open('#park');
+    const everywhere = '#keys-button, #keep-button, #language';
+    const before = await placesOf(page, everywhere);
+    await page.click('#page-lab');
+    await page.until('the lab is open', () => document.getElementById('settings-button')?.checkVisibility());
+    assertSame(await placesOf(page, everywhere), before, `${width}`);
+  }
+});

@@ -107,7 +107,7 @@ function contentOf(model, hurries, { steps, onTable, onBegin, ...context }) {
         aria-disabled=${String(isFirst)} @click=${unless(isFirst, steps.back)}>
         <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d="M12 2L2 8l10 6z"/></svg>
       </button>
-      <button id="generation-next" type="button" class=${initial ? '' : 'primary'} @click=${steps.next}>${words.next}<span>${whereNext(anatomy, phase)}</span></button>
+      <button id="generation-next" type="button" class=${initial ? '' : 'primary'} data-other=${allNext(anatomy)} @click=${steps.next}>${words.next}<span>${whereNext(anatomy, phase)}</span></button>
     </fieldset>
     <div id="generation-picture" class="generation-picture picture" data-picture="generation"
       data-name=${words.texts.generationPicture} role="slider" tabindex="0"
@@ -127,6 +127,12 @@ function choices(anatomy) {
     disabled: !there.includes(value),
   }));
 }
+
+/** What the button says in one phase or another, a line each. @param {Anatomy} anatomy */
+const allNext = (anatomy) =>
+  phasesOf(anatomy)
+    .map((phase) => words.next + whereNext(anatomy, phase))
+    .join('\n');
 
 /** @param {Anatomy} anatomy @param {Phase} phase */
 function whereNext(anatomy, phase) {
