@@ -1,5 +1,6 @@
 // Where the names of start and goal stand on the plane.
 import assert from 'node:assert/strict';
+import { around, meet, namesIn, roomOf } from '../../../www/lab/plane-names.js';
 import { test } from '../harness/once.js';
 
 /** A canvas that measures letters of 7 px. */
@@ -7,9 +8,10 @@ const measuring = {
   getContext: () => ({ measureText: (/** @type {string} */ text) => ({ width: 7 * text.length }) }),
 };
 
-test('the name of the goal leaves the mark above a pinned robot at rest alone', async () => {
+test('the name of the goal leaves the mark above a pinned robot at rest alone', (t) => {
+  const { document } = globalThis;
+  t.after(() => Object.assign(globalThis, { document }));
   Object.assign(globalThis, { document: { createElement: () => measuring } });
-  const { around, meet, namesIn, roomOf } = await import('../../../www/lab/plane-names.js');
   const view = {
     width: 600,
     height: 600,
