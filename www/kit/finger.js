@@ -5,9 +5,12 @@ import { onCapture } from './elements.js';
 /** In pixels, so far a finger moves that means nothing. */
 const slop = 6;
 
+/** Whether browsers scroll the page by it, as they do by a pen. @param {PointerEvent} event */
+export const canScroll = ({ pointerType }) => pointerType === 'touch' || pointerType === 'pen';
+
 /** @param {Element} element @param {PointerEvent} event */
-export const mayScroll = (element, { pointerType }) =>
-  pointerType === 'touch' && getComputedStyle(element).touchAction !== 'none';
+export const mayScroll = (element, event) =>
+  canScroll(event) && getComputedStyle(element).touchAction !== 'none';
 
 /** @param {PointerEvent} from @param {PointerEvent} to */
 export const isSideways = (from, to) =>
@@ -22,21 +25,28 @@ export function steadySliders() {
     held = null;
     if (slider && slider.value !== value) slider.dispatchEvent(new Event('input', { bubbles: true }));
   };
+  /** What it shows is what counts. */
+  const putBack = () => {
+    if (held) held.slider.value = held.value;
+  };
+  /** @param {PointerEvent} event */
+  const isHolding = ({ pointerId }) => pointerId === held?.from.pointerId;
   onCapture(['pointerdown'], (event) => {
-    const { target: slider, pointerType } = event;
+    const { target: slider } = event;
+    // With another finger, or the palm beside a pen, nobody is about to press.
+    putBack();
     const isSlider = slider instanceof HTMLInputElement && slider.type === 'range';
-    held = isSlider && pointerType === 'touch' ? { slider, value: slider.value, from: event } : null;
+    held = isSlider && canScroll(event) ? { slider, value: slider.value, from: event } : null;
   });
   onCapture(['keydown'], () => {
+    putBack();
     held = null;
   });
   onCapture(['pointermove'], (event) => {
-    if (held && isSideways(held.from, event)) letGo();
+    if (held && isHolding(event) && isSideways(held.from, event)) letGo();
   });
-  onCapture(['pointerup'], letGo);
-  onCapture(['pointercancel'], () => {
-    if (held) held.slider.value = held.value;
-  });
+  onCapture(['pointerup'], (event) => isHolding(event) && letGo());
+  onCapture(['pointercancel'], (event) => isHolding(event) && putBack());
   onCapture(['input', 'change'], (event) => {
     if (event.target === held?.slider) event.stopImmediatePropagation();
   });

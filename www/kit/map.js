@@ -58,6 +58,8 @@ export function pointIn(element, { clientX, clientY }) {
 /** While a pointer is held on an element. @param {HTMLElement} element @param {(event: PointerEvent) => void} onHeld @param {() => void} [onRelease] */
 export function followHeld(element, onHeld, onRelease) {
   let held = false;
+  /** @type {number | null} */
+  let pointer = null;
   /** A finger that may yet scroll the page. @type {PointerEvent | null} */
   let waiting = null;
   const hold = (/** @type {PointerEvent} */ event) => {
@@ -66,21 +68,27 @@ export function followHeld(element, onHeld, onRelease) {
     onHeld(event);
   };
   element.addEventListener('pointerdown', (event) => {
-    if (event.button !== 0) return;
-    element.setPointerCapture(event.pointerId);
+    // A palm beside the pen, or another hand.
+    const isTaken = pointer !== null && element.hasPointerCapture(pointer);
+    if (event.button !== 0 || isTaken) return;
+    pointer = event.pointerId;
+    element.setPointerCapture(pointer);
     if (mayScroll(element, event)) waiting = event;
     else hold(event);
   });
   element.addEventListener('pointermove', (event) => {
+    if (event.pointerId !== pointer) return;
     if (held || (waiting && isSideways(waiting, event))) hold(event);
   });
   element.addEventListener('pointerup', (event) => {
-    if (waiting) hold(event);
+    if (waiting && event.pointerId === pointer) hold(event);
   });
   // Lost is what another element takes, or a browser.
-  for (const end of ['pointerup', 'pointercancel', 'lostpointercapture'])
-    element.addEventListener(end, () => {
+  for (const end of /** @type {const} */ (['pointerup', 'pointercancel', 'lostpointercapture']))
+    element.addEventListener(end, (event) => {
+      if (event.pointerId !== pointer) return;
       if (held) onRelease?.();
+      pointer = null;
       held = false;
       waiting = null;
     });

@@ -101,7 +101,7 @@ export function createRow(gain, index, events, unit = '') {
           <input id="slider-${id}" type="range" step="0.01" aria-label=${gain.name}
             aria-valuetext=${unit ? `${text} ${unit}` : nothing}
             .min=${String(low)} .max=${String(high)} .value=${live(String(value))} ${from} ${to} ${zero}
-            @pointerdown=${on.hold} @keydown=${on.key} @input=${on.slide} @change=${events.onSlid}>
+            @pointerdown=${on.hold} @keydown=${on.key} @input=${on.slide} @change=${events.onSlid} @pointercancel=${events.onSlid}>
           <input id="gain-${id}" type="text" inputmode=${keysFor(true)} autocomplete="off" spellcheck="false"
             aria-label=${strings.gainInputLabel(gain.name)} aria-describedby="gain-${id}-error"
             aria-invalid=${String(message !== '')} .value=${isStale ? live(text) : noChange}

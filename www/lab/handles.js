@@ -96,8 +96,15 @@ function drag(button, end, part, current, events) {
   /** @type {Posture | null} */
   let pending = null;
 
+  /** The other part may be in another hand. */
   const apply = () => {
-    if (pending) events.onMove(end, pending, true);
+    const now = events.postureOf(end);
+    if (pending)
+      events.onMove(
+        end,
+        part === 'heading' ? { ...now, theta: pending.theta } : { ...pending, theta: now.theta },
+        true,
+      );
     pending = null;
   };
 

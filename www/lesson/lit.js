@@ -1,4 +1,5 @@
 // One symbol, everywhere: who points at a term, or comes to it by keyboard, sees it in formulas, picture and sliders.
+import { canScroll } from '../kit/finger.js';
 
 /** @param {Element | null} element */
 const termOf = (element) => element?.getAttribute('data-term')?.split(' ')[0] ?? '';
@@ -27,5 +28,5 @@ export function createLit() {
     document.addEventListener(kind, (event) => light(meant(event.target)));
   document.addEventListener('focusout', () => light([]));
   // A finger that was lifted lets one see what it lay on, until it comes down elsewhere.
-  document.addEventListener('pointerleave', ({ pointerType }) => pointerType === 'touch' || light([]));
+  document.addEventListener('pointerleave', (event) => canScroll(event) || light([]));
 }

@@ -211,6 +211,7 @@ function createSlider({ path, slider: range, symbol }, hasZero, onSlide, onSlid)
     press() {
       isKeyHeld = true;
     },
+    /** Where it ends at the value with which it began browsers tell of no change. */
     release() {
       isKeyHeld = false;
       end();
@@ -227,6 +228,7 @@ function createSlider({ path, slider: range, symbol }, hasZero, onSlide, onSlid)
     return html`<input id="${id}-slider" type="range" class=${symbol?.colour ?? ''} aria-label=${words.settings[path].name}
       min=${scale.min} max=${scale.max} step=${scale.step} aria-valuetext=${text} .disabled=${isOff}
       .value=${live(String(position))} ${styled('--from', percent(Math.min(zero, position)))} ${styled('--to', percent(Math.max(zero, position)))}
-      @input=${on.input} @change=${on.change} @keydown=${on.press} @keyup=${on.release} @blur=${on.release}>`;
+      @input=${on.input} @change=${on.change} @keydown=${on.press} @keyup=${on.release} @blur=${on.release}
+      @pointerup=${on.release} @pointercancel=${on.release}>`;
   };
 }

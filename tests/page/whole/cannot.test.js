@@ -61,9 +61,8 @@ const silent = `
 
 /** As Chromium says it, where many tabs and figures are open. */
 const full = `
-  WebAssembly.Instance = function () {
-    throw RangeError('WebAssembly.Instance(): Out of memory: Cannot allocate Wasm memory for new instance');
-  };`;
+  const error = RangeError('WebAssembly.instantiate(): Out of memory: Cannot allocate Wasm memory for new instance');
+  WebAssembly.instantiate = () => Promise.reject(error);`;
 
 engineTest('what the browser or the server lacks is said, above a picture and the lesson', async (page) => {
   for (const [wrong, fragment, said] of /** @type {[Changes, string, RegExp][]} */ ([

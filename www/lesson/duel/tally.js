@@ -80,8 +80,10 @@ function record(store, { experiment, gains, cost, arrived }) {
 
 /** What a hand does with the gains: while it holds a slider, or a key of it, it has not moved yet. @param {Store} store */
 function watchHand(store) {
-  /** The slider. @type {EventTarget | null} */
+  /** The slider, and what points at it; no number: a key. @type {EventTarget | null} */
   let held = null;
+  /** @type {number | null} */
+  let pointer = null;
   let moved = false;
   const isOfGains = (/** @type {EventTarget | null} */ target) =>
     target instanceof HTMLInputElement && target.closest('#gains') !== null;
@@ -89,10 +91,17 @@ function watchHand(store) {
     if (held) store.redraw();
     held = null;
   };
-  onCapture(['pointerdown', 'keydown'], ({ target }) => {
-    held = isOfGains(target) && /** @type {HTMLInputElement} */ (target).type === 'range' ? target : null;
+  onCapture(['pointerdown', 'keydown'], (event) => {
+    const { target } = event;
+    const pointerId = event instanceof PointerEvent ? event.pointerId : null;
+    const isSlider = isOfGains(target) && /** @type {HTMLInputElement} */ (target).type === 'range';
+    // A palm beside the pen, or another hand.
+    if (!isSlider && held && pointerId !== null && pointer !== null && pointerId !== pointer) return;
+    held = isSlider ? target : null;
+    pointer = pointerId;
   });
-  onCapture(['pointerup', 'pointercancel', 'keyup'], letGo);
+  onCapture(['pointerup', 'pointercancel'], ({ pointerId }) => pointerId === pointer && letGo());
+  onCapture(['keyup'], letGo);
   // Of the slider or of the window: where a press begins, whatever had the focus before loses it.
   onCapture(['blur'], ({ target, currentTarget }) => {
     if (target === held || target === currentTarget) letGo();

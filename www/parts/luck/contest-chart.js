@@ -14,6 +14,7 @@ import {
   frameIn,
   pointsOf,
 } from '../../kit/chart.js';
+import { canScroll } from '../../kit/finger.js';
 import { pointIn } from '../../kit/map.js';
 import { remember } from '../../kit/memo.js';
 import { drawAxisNames, drawName, isNarrow } from '../../kit/names.js';
@@ -49,14 +50,14 @@ export function createContestChart(root, { onTarget, onUntil }) {
   let held = target;
   canvas.addEventListener('pointerdown', (event) => {
     // A finger that moves over it scrolls the page; it can hold the lines themselves.
-    if (event.button !== 0 || event.pointerType === 'touch') return;
+    if (event.button !== 0 || canScroll(event)) return;
     held = until.distanceTo(pointIn(root, event)) < near ? until : target;
     canvas.setPointerCapture(event.pointerId);
     held.follow(event);
   });
   canvas.addEventListener('pointermove', (event) => {
     // A finger is captured by itself.
-    if (event.pointerType !== 'touch' && canvas.hasPointerCapture(event.pointerId)) held.follow(event);
+    if (!canScroll(event) && canvas.hasPointerCapture(event.pointerId)) held.follow(event);
   });
   return chart;
 }

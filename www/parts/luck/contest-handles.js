@@ -41,14 +41,17 @@ export function createHandle(root, id, label, onMove) {
     const [x, y] = pointIn(root, event);
     moveTo(grip?.along === 'x' ? x : y);
   };
+  let pointer = Number.NaN;
   element.addEventListener('pointerdown', (event) => {
-    if (event.button !== 0) return;
-    element.setPointerCapture(event.pointerId);
+    // Another finger holds nothing that is held.
+    if (event.button !== 0 || element.hasPointerCapture(pointer)) return;
+    pointer = event.pointerId;
+    element.setPointerCapture(pointer);
     event.preventDefault();
     element.focus();
   });
   element.addEventListener('pointermove', (event) => {
-    if (element.hasPointerCapture(event.pointerId)) follow(event);
+    if (event.pointerId === pointer && element.hasPointerCapture(pointer)) follow(event);
   });
   element.addEventListener('keydown', (event) => {
     if (!grip || isChord(event)) return;
