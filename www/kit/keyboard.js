@@ -6,5 +6,13 @@ const arrows = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowD
 /** The direction of an arrow key, null for others. @param {string} key */
 export const arrowOf = (key) => arrows[key] ?? null;
 
+/** The name of a key in lower case; what writes another script is known by its place. @param {KeyboardEvent} event */
+export const letterOf = ({ key, code }) =>
+  // What an input method takes for itself is called so, whatever it writes.
+  (/^(?!Process$)[\p{sc=Latin}\p{sc=Common}\p{sc=Inherited}]/u.test(key)
+    ? key
+    : code.replace(/^Key/, '')
+  ).toLowerCase();
+
 /** With these keys it means something to the browser. @param {KeyboardEvent} event */
 export const isChord = ({ ctrlKey, metaKey, altKey }) => ctrlKey || metaKey || altKey;

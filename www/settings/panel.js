@@ -8,6 +8,7 @@
 import { html, render } from 'lit-html';
 import { guard } from 'lit-html/directives/guard.js';
 import { byId, create } from '../kit/elements.js';
+import { letterOf } from '../kit/keyboard.js';
 import { once, remember, watch } from '../kit/memo.js';
 import { closeButton } from '../kit/templates.js';
 import { fieldPath, valueAt } from '../run/paths.js';
@@ -172,7 +173,7 @@ function followKeys(panel, button, store, actions, hasLab) {
         target.type === 'text' &&
         (!panel.contains(target) || target.hasAttribute(typingMark)));
     if (!(event.ctrlKey || event.metaKey) || event.altKey || isTyping) return;
-    const key = event.key.toLowerCase();
+    const key = letterOf(event);
     if ((key !== 'z' && key !== 'y') || !hasLab(store.get())) return;
     event.preventDefault();
     if (key === 'y' || event.shiftKey) actions.redo();

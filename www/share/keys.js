@@ -3,6 +3,7 @@ import { html } from 'lit-html';
 import { byId, isSeen } from '../kit/elements.js';
 import { checkOf } from '../kit/fields.js';
 import { isEmbedded } from '../kit/host.js';
+import { letterOf } from '../kit/keyboard.js';
 import { createSheet } from '../kit/sheet.js';
 import { withStorage } from '../kit/tab.js';
 import { keys as words, opening } from '../words/index.js';
@@ -51,7 +52,10 @@ export function createKeys(openChecks) {
     else if (areAllowed) {
       const found = words.single.find(([key]) => key.toLowerCase() === letterOf(event));
       const button = found && buttonOf(found);
-      if (!button || event.defaultPrevented || (scrolls(found) && isOfOthers(event))) return;
+      if (!button || event.defaultPrevented) return;
+      if (scrolls(found) ? isOfOthers(event) : event.shiftKey) return;
+      // Held, a switch would go to and fro.
+      if (event.repeat && !steps(found)) return;
       if (scrolls(found)) event.preventDefault();
       button.click();
     }
@@ -62,6 +66,9 @@ export function createKeys(openChecks) {
 
 /** What is no letter scrolls, as everywhere, where there is more of the page above or below. @param {Row} row */
 const scrolls = ([key]) => key.length > 1;
+
+/** What is pressed again and again while its key is held. @param {Row} row */
+const steps = (row) => scrolls(row) || 'nb'.includes(row[0]);
 
 /** Who has such keys itself. */
 const having =
@@ -88,7 +95,3 @@ function buttonOf([, , id]) {
   const all = document.querySelectorAll(`#${id}, [data-key-of="${id}"]`);
   return [...all].find((button) => isSeen(button) && !button.closest('[inert]'));
 }
-
-/** The Latin letter of a key, also where it writes Korean. @param {KeyboardEvent} event */
-const letterOf = ({ key, code }) =>
-  /^[\x20-\x7e]$/.test(key) ? key : code.replace(/^Key/, '').toLowerCase();

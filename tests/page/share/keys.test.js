@@ -3,8 +3,6 @@ import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { evolve, experiment } from '../harness/core.js';
 import { read, readEvolution } from '../harness/reading.js';
 
-import { shownOn } from '../parts/generation-page.js';
-
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
 const expected = (/** @type {number} */ generation) => ({
@@ -62,7 +60,7 @@ pageTest('each single key does what the sheet says, and no key is missing there'
   assert.deepEqual(single, [
     ['r', 'run evolution, or pause it'],
     ['n', '1 generation'],
-    ['b', '1 generation back'],
+    ['b', '1 generation back; with some presenters’ clickers the key for a black screen'],
     ['p', 'let the robots drive, or hold them'],
     ['s', 'settings'],
   ]);
@@ -193,52 +191,6 @@ pageTest('where evolution goes on away from its bar, “r” and a button in the
     await page.until('the lab is open', () => document.body.dataset.open === 'lab');
     assert.equal((await stateOf(page)).evolving, false, part);
   }
-});
-
-pageTest('a presenter’s clicker goes from phase to phase where nothing else is meant', async (page) => {
-  const phaseAfter = async (/** @type {string} */ key) => {
-    await page.press(key);
-    return (await shownOn(page)).phase;
-  };
-  await page.resize(1440, 900);
-  await page.open('#generation&v=1&generation=1&phase=parents');
-  await page.until('the phases are there', () => document.getElementById('generation-next'));
-  assert.equal(await phaseAfter(Key.PAGE_DOWN), 'mutation');
-  assert.equal(await phaseAfter(Key.PAGE_DOWN), 'drive');
-  assert.equal(await phaseAfter(Key.PAGE_UP), 'mutation');
-  await page.press('?');
-  assert.match(await page.text('#keys-list'), /PageDown/);
-  await page.press(Key.ESCAPE);
-  // A slider has these keys too.
-  await page.focus('#scrub');
-  assert.equal(await phaseAfter(Key.PAGE_DOWN), 'mutation');
-  // A button that was pressed has not.
-  await page.click('#generation-phases-drive');
-  assert.equal(await phaseAfter(Key.PAGE_DOWN), 'tournament');
-  await page.click('#generation-back');
-  assert.equal(await phaseAfter(Key.PAGE_UP), 'mutation');
-  // What scrolls by itself has them while one is in it.
-  await page.click('#settings-button');
-  await page.focus('#settings-close');
-  assert.equal(await phaseAfter(Key.PAGE_DOWN), 'drive');
-  await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('.settings summary')).focus());
-  assert.equal(await phaseAfter(Key.PAGE_DOWN), 'drive');
-  // And a page that is longer than the window scrolls, up to its end.
-  await page.open('#generation&v=1&generation=1&phase=mutation');
-  await page.resize(500, 400);
-  assert.equal(await phaseAfter(Key.PAGE_DOWN), 'mutation');
-  await page.until('the page has scrolled', () => scrollY > 0);
-  await page.evaluate(() => scrollTo(0, document.documentElement.scrollHeight));
-  assert.equal(await phaseAfter(Key.PAGE_DOWN), 'drive');
-  await page.evaluate(() => scrollTo(0, 0));
-  assert.equal(await phaseAfter(Key.PAGE_UP), 'mutation');
-});
-
-pageTest('where a key writes Korean, it is known by its place', async (page) => {
-  await page.evaluate(() => {
-    document.body.dispatchEvent(new KeyboardEvent('keydown', { key: 'ㅜ', code: 'KeyN', bubbles: true }));
-  });
-  assert.deepEqual(await readEvolution(page), expected(1));
 });
 
 pageTest('what has the focus in Share is never under what is said at its foot', async (page) => {

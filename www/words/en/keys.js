@@ -12,7 +12,7 @@ export const texts = {
 export const single = [
   ['r', 'run evolution, or pause it', 'run'],
   ['n', '1 generation', 'one-generation'],
-  ['b', '1 generation back', 'one-back'],
+  ['b', '1 generation back; with some presenters’ clickers the key for a black screen', 'one-back'],
   ['p', 'let the robots drive, or hold them', 'play'],
   ['PageDown', 'the next phase of the generation, where the page scrolls no further', 'generation-next'],
   ['PageUp', 'the phase before', 'generation-back'],

@@ -11,7 +11,7 @@ export const texts = {
 export const single = [
   ['r', '진화 시작 또는 멈춤', 'run'],
   ['n', '한 세대 진행', 'one-generation'],
-  ['b', '한 세대 뒤로', 'one-back'],
+  ['b', '한 세대 뒤로. 일부 발표용 리모컨에서는 화면을 끄는 버튼', 'one-back'],
   ['p', '로봇 주행 또는 멈춤', 'play'],
   ['PageDown', '세대의 다음 단계(페이지가 더 내려가지 않을 때)', 'generation-next'],
   ['PageUp', '이전 단계', 'generation-back'],
