@@ -35,9 +35,9 @@ export const unlessDouble =
     if (detail < 2) act();
   };
 
-/** @param {() => void} act @returns {(event: KeyboardEvent) => void} */
+/** Not of the Enter that ends a composition, which Safari tells by its code alone. @param {() => void} act @returns {(event: KeyboardEvent) => void} */
 export const onEnter = (act) => (event) => {
-  if (event.key === 'Enter' && !event.isComposing) act();
+  if (event.key === 'Enter' && !event.isComposing && event.keyCode !== 229) act();
 };
 
 /** What closes a panel. @param {string} id @param {string} label @param {() => void} onClick */
