@@ -26,7 +26,7 @@ export function languageOf(link, preferred) {
   const named = /&(?:amp;)?lang=(\w+)/.exec(link)?.[1] ?? '';
   if (isLanguage(named)) return named;
   if (link !== '') return usualLanguage;
-  return preferred.map((tag) => tag.slice(0, 2).toLowerCase()).find(isLanguage) ?? usualLanguage;
+  return preferred.map((tag) => tag.split('-')[0].toLowerCase()).find(isLanguage) ?? usualLanguage;
 }
 
 /** The language of the address as it is now. */

@@ -105,7 +105,7 @@ pageTest('what the author of a page has wrong is said in sight', async (page) =>
   // Side by side, for what is far below loads later.
   const html = `
     <div style="display: grid; grid-template-columns: repeat(5, 1fr); align-items: start">
-    <ep-locomotion id="low" height="100"></ep-locomotion>
+    <div lang="kok"><ep-locomotion id="low" height="100"></ep-locomotion></div>
     <ep-locomotion id="nowhere" src="https://"></ep-locomotion>
     <ep-locomotion id="absent" src="/absent.html"></ep-locomotion>
     <ep-locomotion id="old" src="${old}"></ep-locomotion>

@@ -213,6 +213,8 @@ test('the link says the language; without a link the browser does', () => {
     ['', ['ko-KR', 'en'], 'ko'],
     ['', ['fr', 'ko'], 'ko'],
     ['', ['fr'], 'en'],
+    ['', ['kok-IN', 'kok', 'en-IN'], 'en'],
+    ['', ['KO'], 'ko'],
     ['', [], 'en'],
     ['lab', ['ko'], 'en'],
     ['lab&v=1&seed=7', ['ko'], 'en'],
