@@ -12,6 +12,19 @@ import { openMaker } from './making.js';
 /** @param {Kind} kind @param {string} value @param {readonly string[]} points */
 const read = (kind, value, ...points) => asked({ kind, value, drives: '', points });
 
+/** What the other fields of the page take is taken here. */
+test('groups, powers of ten and letters as wide as Korean ones are read in the maker too', () => {
+  const budgetOf = (/** @type {string} */ drives) =>
+    asked({ kind: 'cost', value: '8', drives, points: [] }).aim?.drives;
+  for (const drives of ['4000', '4 000', '４０００', '4e3', '+4000'])
+    assert.equal(budgetOf(drives), 4000, drives);
+  for (const drives of ['0', '1.5', '4,000', '0x10', 'x', '-4'])
+    assert.throws(() => budgetOf(drives), { field: 'maker-budget' }, drives);
+  assert.equal(said('cost', '1 000', '', '', '', ''), 'J<1000 ');
+  assert.equal(said('parks', '２８/３２', '１６／３２', '0', '32', '6'), 'parks:28/32 16:0,32:6');
+  assert.equal(said('unseen', '６０％', '３０％', '0', '90%', '6'), 'unseen:0.6 0.3:0,0.9:6');
+});
+
 /** As a link has it, or which field is wrong. @param {Kind} kind @param {string} value @param {readonly string[]} points */
 function said(kind, value, ...points) {
   try {

@@ -36,6 +36,16 @@ function orSay(field, why, read) {
 const shareOf = (text) =>
   text.endsWith('%') ? numberText(Number((number(text.slice(0, -1)) / 100).toPrecision(15))) : text;
 
+/** Letters as wide as Korean ones are as good. @param {string} text */
+const plain = (text) => text.normalize('NFKC').trim();
+
+/** How a link has what is typed of each aim. */
+const inLink = {
+  cost: (/** @type {string} */ text) => numberText(number(text)),
+  parks: (/** @type {string} */ text) => text,
+  unseen: shareOf,
+};
+
 /** A number within what there can be. @param {string} text @param {number} highest */
 function upTo(text, highest) {
   const value = number(text);
@@ -68,16 +78,15 @@ function scaleIn(wanted, points) {
 /** @param {Fields} fields @returns {Pick<Exercise, 'aim' | 'scale'>} */
 export function asked({ kind, ...fields }) {
   if (kind === 'none') return { aim: null, scale: null };
-  const [value, drives] = [fields.value.trim(), fields.drives.trim()];
+  const [value, drives, ...points] = [fields.value, fields.drives, ...fields.points].map(plain);
   const wanted = orSay('maker-value', words.wrongValue(kind, most), () => {
-    const text = `${heads[kind]}${kind === 'unseen' ? shareOf(value) : value}`;
+    const text = `${heads[kind]}${inLink[kind](value)}`;
     aimOf(text);
     return text;
   });
   const aim = orSay('maker-budget', words.wrongDrives(most), () =>
-    aimOf(drives ? `${wanted};drives<=${drives}` : wanted),
+    aimOf(drives ? `${wanted};drives<=${number(drives)}` : wanted),
   );
-  const points = fields.points.map((text) => text.trim());
   return { aim, scale: scaleIn(aim.wanted, points) };
 }
 
