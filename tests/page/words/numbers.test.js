@@ -3,6 +3,8 @@ import { test } from '../harness/once.js';
 import * as words from '../harness/words.js';
 import * as inEnglish from '../../../www/words/en/numbers.js';
 import * as inKorean from '../../../www/words/ko/numbers.js';
+import * as contestInEnglish from '../../../www/parts/luck/words/contest-en.js';
+import * as contestInKorean from '../../../www/parts/luck/words/contest-ko.js';
 import * as numbers from '../../../www/words/numbers.js';
 
 /** @type {Record<'en' | 'ko', any>} */
@@ -78,8 +80,34 @@ test('a number that may be a thousand or one is none, and a comma is a point', (
     // From a Korean keyboard.
     ['−１２．５', -12.5],
     ['10²', Number.NaN],
+    // As a word processor writes a minus.
+    ['–3', -3],
+    ...['0x10', '0b11', '0o7', '０ｘ１０'].map((text) => /** @type {const} */ ([text, Number.NaN])),
   ]))
     assert.equal(numbers.numberOf(text), value, text);
+});
+
+test('why a comma is refused is said, and only where it is', () => {
+  for (const { lab, settings, contest } of [
+    { ...en, contest: contestInEnglish },
+    { ...ko, contest: contestInKorean },
+  ])
+    for (const refused of [
+      (/** @type {string} */ text) => lab.notANumber('kx', text),
+      (/** @type {string} */ text) => settings.refused('x', '', text),
+      (/** @type {string} */ text) => lab.untilRefused('cost', Number.NaN, text, 1, 9),
+      (/** @type {string} */ text) => lab.untilRefused('generation', Number.NaN, text, 1, 9),
+      contest.targetRefused,
+    ])
+      for (const [text, isSaid] of /** @type {const} */ ([
+        ['7,465', true],
+        ['−７，４６５', true],
+        ['1,000,000', true],
+        ['7,46', false],
+        ['7,465x', false],
+        ['', false],
+      ]))
+        assert.equal(/A comma|쉼표/.test(refused(text)), isSaid, refused(text));
 });
 
 test('a J that is told to be below another reads so', () => {

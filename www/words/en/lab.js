@@ -1,10 +1,9 @@
 // Every word of the lab and of what all pages share.
 /** @import { Posture, Run, Statistics } from '../../core/engine.js' */
 /** @import { Driver, Restart, Until } from '../common/kinds.js' */
-import { beginningOf } from '../../kit/text.js';
 import { isTracking } from '../../core/reference.js';
 import { counted } from './counted.js';
-import { costText, fixed, grouped, postureText, sixDigits, textBelow } from './numbers.js';
+import { costText, fixed, grouped, postureText, sixDigits, textBelow, wasText } from './numbers.js';
 
 export * from '../common/lab.js';
 export * from './computing.js';
@@ -186,10 +185,10 @@ export const untilRefused = (kind, value, text, next, last) =>
   kind === 'generation'
     ? Number.isInteger(value) && value >= next && value <= last
       ? ''
-      : `The generation to stop at must be a whole number from ${next} to ${last}; it was “${beginningOf(text)}”.`
+      : `The generation to stop at must be a whole number from ${next} to ${last}; ${wasText(text)}`
     : value > 0 && value < Number.POSITIVE_INFINITY
       ? ''
-      : `The J to stop at must be a number over 0; it was “${beginningOf(text)}”.`;
+      : `The J to stop at must be a number over 0; ${wasText(text)}`;
 
 /** @param {number} generation @param {number} newest */
 export const generationText = (generation, newest) => `generation ${generation} of ${newest}`;
@@ -260,7 +259,6 @@ export const gainsReplaced = 'Undo (Ctrl+Z) brings yours back';
 export const gainInputLabel = (name) => `${name}, value`;
 
 /** @param {string} name @param {string} was */
-export const notANumber = (name, was) =>
-  `${name} must be a number, for example 3.5; it was “${beginningOf(was)}”.`;
+export const notANumber = (name, was) => `${name} must be a number, for example 3.5; ${wasText(was)}`;
 /** @param {string} name @param {string} message */
 export const gainRefused = (name, message) => `${name} was refused: ${message}`;

@@ -1,5 +1,6 @@
 // How numbers are written in English.
-import { costTextWith, fixed, groupedBy } from '../numbers.js';
+import { beginningOf } from '../../kit/text.js';
+import { costTextWith, fixed, groupedBy, isUnsure } from '../numbers.js';
 
 export * from '../numbers.js';
 
@@ -12,3 +13,7 @@ export const costText = costTextWith(grouped);
 /** How long it took. @param {number} milliseconds */
 export const tookText = (milliseconds) =>
   milliseconds < 1000 ? `${fixed(milliseconds, 0)} ms` : `${fixed(milliseconds / 1000, 1)} s`;
+
+/** What was typed and is no number, or none that can be. @param {string} text */
+export const wasText = (text) =>
+  `it was “${beginningOf(text)}”.${isUnsure(text) ? ' A comma before three digits may mean thousands: write a point, or no comma.' : ''}`;

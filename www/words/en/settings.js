@@ -1,7 +1,7 @@
 // Every word of the settings.
 /** @import { SettingWords } from '../common/settings.js' */
-import { beginningOf } from '../../kit/text.js';
 import { namer } from '../common/settings.js';
+import { wasText } from './numbers.js';
 export * from '../common/settings.js';
 
 /** @typedef {keyof typeof groups} GroupName */
@@ -177,6 +177,6 @@ export const backLabel = (name, value) => `${name}: back to ${value}`;
 export const rangeText = ({ integer, from, to }) =>
   `${integer ? 'a whole number' : 'a number'} from ${from} to ${to}`;
 /** @param {string} name @param {string} expected @param {string} was */
-export const refused = (name, expected, was) => `${name} must be ${expected}; it was “${beginningOf(was)}”.`;
+export const refused = (name, expected, was) => `${name} must be ${expected}; ${wasText(was)}`;
 /** @param {string} name @param {string} help @param {string} range */
 export const helpText = (name, help, range) => `${name}: ${help}${range ? ` Allowed: ${range}.` : ''}`;

@@ -1,9 +1,8 @@
 // Every word of the lab and of what all pages share, in Korean.
 /** @import { Posture, Run, Statistics } from '../../core/engine.js' */
 /** @import { Driver, Restart, Until } from '../common/kinds.js' */
-import { beginningOf } from '../../kit/text.js';
 import { isTracking } from '../../core/reference.js';
-import { costText, fixed, grouped, postureText, sixDigits, textBelow } from './numbers.js';
+import { costText, fixed, grouped, postureText, sixDigits, textBelow, wasText } from './numbers.js';
 import { arrivedText } from './arrived.js';
 
 export * from '../common/lab.js';
@@ -178,10 +177,10 @@ export const untilRefused = (kind, value, text, next, last) =>
   kind === 'generation'
     ? Number.isInteger(value) && value >= next && value <= last
       ? ''
-      : `멈출 세대는 ${next} 이상 ${last} 이하의 정수여야 합니다. 입력값: “${beginningOf(text)}”.`
+      : `멈출 세대는 ${next} 이상 ${last} 이하의 정수여야 합니다. ${wasText(text)}`
     : value > 0 && value < Number.POSITIVE_INFINITY
       ? ''
-      : `멈출 J는 0보다 큰 수여야 합니다. 입력값: “${beginningOf(text)}”.`;
+      : `멈출 J는 0보다 큰 수여야 합니다. ${wasText(text)}`;
 
 /** @param {number} generation @param {number} newest */
 export const generationText = (generation, newest) => `${newest}세대 중 ${generation}세대`;
@@ -252,7 +251,6 @@ export const gainsReplaced = '되돌리기(Ctrl+Z)로 내 이득 되찾기';
 export const gainInputLabel = (name) => `${name}, 값`;
 
 /** @param {string} name @param {string} was */
-export const notANumber = (name, was) =>
-  `${name}: 수를 입력해야 합니다(예: 3.5). 입력값: “${beginningOf(was)}”.`;
+export const notANumber = (name, was) => `${name}: 수를 입력해야 합니다(예: 3.5). ${wasText(was)}`;
 /** @param {string} name @param {string} message */
 export const gainRefused = (name, message) => `${name}: 이 값은 쓸 수 없습니다. ${message}`;

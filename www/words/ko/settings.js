@@ -1,6 +1,6 @@
 // Every word of the settings, in Korean.
-import { beginningOf } from '../../kit/text.js';
 import { namer } from '../common/settings.js';
+import { wasText } from './numbers.js';
 
 export * from '../common/settings.js';
 
@@ -162,7 +162,6 @@ export const backLabel = (name, value) => `${name}: ${value} 값으로 되돌리
 /** @param {{ integer: boolean, from: string, to: string }} range */
 export const rangeText = ({ integer, from, to }) => `${from} 이상 ${to} 이하의 ${integer ? '정수' : '수'}`;
 /** @param {string} name @param {string} expected @param {string} was */
-export const refused = (name, expected, was) =>
-  `${name}: 허용되는 값은 ${expected}입니다. 입력값: “${beginningOf(was)}”.`;
+export const refused = (name, expected, was) => `${name}: 허용되는 값은 ${expected}입니다. ${wasText(was)}`;
 /** @param {string} name @param {string} help @param {string} range */
 export const helpText = (name, help, range) => `${name}: ${help}${range ? ` 허용 범위: ${range}.` : ''}`;

@@ -1,9 +1,8 @@
 // Every word of the contest.
 /** @import { Factor, Lowest, Verdict } from '../contest-summary.js' */
 /** @import { Contestant } from '../contestants.js' */
-import { beginningOf } from '../../../kit/text.js';
 import { leastRuns } from '../contest-numbers.js';
-import { costText, grouped } from '../../../words/en/numbers.js';
+import { costText, grouped, wasText } from '../../../words/en/numbers.js';
 import { percent, probability, targetText, timesText } from './common.js';
 
 export const viewLegend = 'What is asked';
@@ -127,7 +126,7 @@ export const contestInvitation = ({ seeds, budget }, starts) =>
 export const usualTargetText = ({ cost, name, seed }) =>
   `0.2 % above ${targetText(cost)}, the lowest J (${shortName(name)}, seed ${seed})`;
 /** @param {string} was */
-export const targetRefused = (was) => `The target must be a number; it was “${beginningOf(was)}”.`;
+export const targetRefused = (was) => `The target must be a number; ${wasText(was)}`;
 
 export const drivesAxis = 'drives';
 /** What comes where no contest has run. */

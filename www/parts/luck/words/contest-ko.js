@@ -1,9 +1,8 @@
 // Every word of the contest, in Korean.
 /** @import { Factor, Lowest, Verdict } from '../contest-summary.js' */
 /** @import { Contestant } from '../contestants.js' */
-import { beginningOf } from '../../../kit/text.js';
 import { leastRuns } from '../contest-numbers.js';
-import { costText, grouped } from '../../../words/ko/numbers.js';
+import { costText, grouped, wasText } from '../../../words/ko/numbers.js';
 import { probability, targetText, timesText, wholePercent } from './common.js';
 
 /** @param {number} part */
@@ -121,7 +120,7 @@ export const contestInvitation = ({ seeds, budget }, starts) =>
 export const usualTargetText = ({ cost, name, seed }) =>
   `최소 J ${targetText(cost)}보다 0.2% 높은 값(${shortName(name)}, 시드 ${seed})`;
 /** @param {string} was */
-export const targetRefused = (was) => `목푯값은 수여야 하는데, 입력한 값은 “${beginningOf(was)}”입니다.`;
+export const targetRefused = (was) => `목푯값은 수여야 합니다. ${wasText(was)}`;
 
 export const drivesAxis = '주행 횟수';
 /** What comes where no contest has run. */
