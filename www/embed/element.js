@@ -166,7 +166,7 @@ class EpLocomotion extends HTMLElement {
   }
 
   get #words() {
-    return languages[this.closest('[lang]')?.getAttribute('lang')?.split('-')[0] ?? ''] ?? en;
+    return languages[this.closest('[lang]')?.getAttribute('lang')?.split(/[-_]/)[0] ?? ''] ?? en;
   }
 
   /** What a link has after its #. */

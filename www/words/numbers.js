@@ -82,9 +82,6 @@ const inSpacedGroups = /^[+-]?[1-9]\d{0,2}([ \u00a0\u2009\u202f]\d{3})+([.,]\d*)
 /** As wide as Korean letters. */
 const wide = /[！-～]/g;
 
-/** JavaScript's own. */
-const inAnotherBase = /^0[box]/i;
-
 /** With the signs of a keyboard; an en dash is what word processors make of a minus. @param {string} text */
 function plainOf(text) {
   const narrow = text.replace(wide, (letter) => String.fromCharCode(letter.charCodeAt(0) - 0xfee0));
@@ -98,9 +95,7 @@ export const isUnsure = (text) => inGroups.test(plainOf(text));
 /** What somebody has typed; NaN if it is no number, or not sure which. @param {string} text */
 export function numberOf(text) {
   const plain = plainOf(text);
-  return plain === '' || inGroups.test(plain) || inAnotherBase.test(plain)
-    ? Number.NaN
-    : Number(plain.replace(',', '.'));
+  return plain === '' || inGroups.test(plain) ? Number.NaN : Number(plain.replace(',', '.'));
 }
 
 /** A number that is below another, with as few digits as show it. @param {number} value @param {number} limit @param {(value: number) => string} usual */
