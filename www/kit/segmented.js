@@ -21,7 +21,7 @@ export const listed = (choices) =>
 export const choicesOf = (id, legend, choices, chosen, onChoose) => html`
   <legend class="visually-hidden">${legend}</legend>${choices.map(
     ({ value, text, hint, disabled }) =>
-      html`<label title=${hint ?? nothing} data-value=${value}><input id="${id}-${value}" type="radio" name=${id} value=${value}
+      html`<label title=${hint ?? nothing} data-choice=${value}><input id="${id}-${value}" type="radio" name=${id} value=${value}
         .checked=${live(value === chosen)} ?checked=${value === chosen} .disabled=${disabled ?? noChange} @change=${() => onChoose(value)}><span>${text}</span></label>`,
   )}`;
 

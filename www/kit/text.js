@@ -9,11 +9,11 @@ export const plainText = (text) =>
 /** The same in one line. @param {string} text */
 export const tidyText = (text) => plainText(text).replace(/\s+/g, ' ').trim();
 
-/** The same without what nobody sees. What parts or joins letters in Arabic and behind the vowel killers of India is seen. @param {string} text */
+/** The same without what nobody sees. Behind a letter of many scripts, or a picture, what joins, parts or varies it is seen. @param {string} text */
 export const seenText = (text) =>
   tidyText(
     text.replace(
-      /([\u094d\u09cd\u0a4d\u0acd\u0b4d\u0bcd\u0c4d\u0ccd\u0d4d\u0dca][\u200c\u200d]|\p{sc=Arab}\u200c(?=\p{sc=Arab}))|[\p{DI}\u2800\ufff9-\ufffb]/gu,
+      /((?<=[\p{L}\p{M}\p{ExtPict}])(?<![\p{scx=Latn}\p{scx=Grek}\p{scx=Cyrl}\p{scx=Hang}\p{scx=Zinh}])[\p{Join_C}\p{VS}])|[\p{DI}\u2800\ufff9-\ufffb]/gu,
       '$1',
     ),
   );

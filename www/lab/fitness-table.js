@@ -5,7 +5,7 @@ import { hasSigmas } from '../core/methods.js';
 import { lab, tables as words } from '../words/index.js';
 
 /** Points stand under each other. @param {number} value */
-const sigmaText = (value) => (value >= 0.01 ? lab.fixed(value, 3) : lab.powerText(value));
+const pointedSigma = (value) => (value >= 0.01 ? lab.fixed(value, 3) : lab.powerText(value));
 
 /** @param {{ history: Statistics[], experiment: Experiment }} evolved @returns {Table} */
 export const fitnessTable = ({ history, experiment }) => ({
@@ -18,7 +18,7 @@ export const fitnessTable = ({ history, experiment }) => ({
       String(generation),
       String(evaluations),
       ...[best.cost, median, worst].map(lab.costText),
-      ...meanSigmas.map(hasSigmas(experiment.evolution.method) ? sigmaText : () => ''),
+      ...meanSigmas.map(hasSigmas(experiment.evolution.method) ? pointedSigma : () => ''),
     ];
   },
 });

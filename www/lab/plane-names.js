@@ -1,4 +1,4 @@
-// The names of start and goal on the plane, each beside its arrow.
+// What is written on the plane: the names of start and goal, each beside its arrow, and what J comes to along the path.
 /** @import { Posture, Run } from '../core/engine.js' */
 /** @import { View } from '../kit/transform.js' */
 import { scaleLinear } from 'd3-scale';

@@ -69,6 +69,5 @@ export function takeWork(opened) {
   });
   if (!kept?.id || kept.id !== workId(opened)) return opened;
   const begun = performance.now() - Math.max(0, Date.now() - kept.since);
-  const spent = Math.max(opened.student.spent, kept.made);
-  return { ...opened, student: { ...opened.student, begun, spent } };
+  return { ...opened, student: { ...opened.student, begun, made: kept.made } };
 }

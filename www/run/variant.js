@@ -6,7 +6,7 @@
 import { fnv1a, spread } from '../kit/hash.js';
 
 /** @typedef {typeof variedNames[number]} Varied */
-/** Who works on an exercise: the name or number; the exercise's own experiment, before anything is drawn for that name, and what drives in it, null where nothing is asked; the receipt that was opened, if one was, and a digest of the link beside it; what the link says that was driven before; and `begun`, since when, where the page was loaded again. @typedef {{ who: string, base: (Version & { prepared: Prepared }) | null, handin: string, of: string, spent: number, begun?: number }} Student */
+/** Who works on an exercise: the name or number; the exercise's own experiment, before anything is drawn for that name, and what drives in it, null where nothing is asked; the receipt that was opened, if one was, and a digest of the link beside it; what the link says that was driven before; and `begun` and `made`, since when and how many drives, where the page was loaded again. @typedef {{ who: string, base: (Version & { prepared: Prepared }) | null, handin: string, of: string, spent: number, begun?: number, made?: number }} Student */
 
 export const variedNames = /** @type {const} */ (['goal', 'starts', 'seed']);
 

@@ -14,7 +14,18 @@ test('what nobody sees is left out, but for what is seen in how letters are join
     assert.equal(seenText(`Kim${unseen}ber ${unseen} ly`), 'Kimber ly');
     assert.equal(seenText(` ${unseen} `), '');
   }
-  for (const name of ['علی\u200cرضا', 'क्\u200dष', 'ക്\u200d', '김 하나', 'Ágnes-José O’Neil', '🤖'])
+  for (const name of [
+    'علی\u200cرضا',
+    'क्\u200dष',
+    'ക്\u200d',
+    '김 하나',
+    'Ágnes-José O’Neil',
+    '🤖',
+    'র\u200d্যাচেল',
+    '葛\u{e0100}城',
+    'ن\u064b\u200cم',
+  ])
     assert.equal(seenText(name), name);
-  assert.equal(seenText('عل\u200dی\u200c'), 'علی');
+  assert.equal(seenText('ع\u200d\u200d\u200bلی'), 'ع\u200dلی');
+  assert.equal(seenText('Jose\u0301\u200d'), 'Jose\u0301');
 });

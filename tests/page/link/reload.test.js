@@ -137,8 +137,8 @@ pageTest('what another page has written where the tab keeps its own harms nothin
       sessionStorage.setItem('ep-locomotion place', place);
       // Else the page writes its own over it.
       Storage.prototype.setItem = () => {};
-      location.reload();
     }, written);
+    await page.driver.navigate().refresh();
     await page.until(
       'the step is there',
       () =>

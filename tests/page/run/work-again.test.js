@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { links } from '../../../www/lesson/links.js';
 import { withExercise } from '../../../www/link/link.js';
 import { drivesOf } from '../../../www/run/state.js';
-import { experiment } from '../harness/core.js';
+import { createEngine, experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { pageOf } from './page-of.js';
 
@@ -82,6 +82,21 @@ test('what was driven counts on also after another seed, beside the lesson, and 
   over.open(`${free}&handin=1~7.9`);
   over.open(free);
   assert.deepEqual([drives(over), over.store.get().work.begun], [3, begun]);
+});
+
+test('what the tab has kept over a reload counts once, however often the link is opened then', () => {
+  const run = pageOf('lab&v=1');
+  const open = () => {
+    const { opened } = links.openLink(free, createEngine());
+    run.actions.openLinked({ ...opened, student: { ...opened.student, made: 5 } }, []);
+  };
+  open();
+  assert.equal(drives(run), 5);
+  tryGains(run, 2);
+  for (let time = 0; time < 2; time += 1) {
+    open();
+    assert.equal(drives(run), 7);
+  }
 });
 
 test('a link that knows of more is believed', () => {

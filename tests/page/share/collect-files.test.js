@@ -98,15 +98,16 @@ test('what lies in a student’s file speaks for nobody else, also as a table; a
     ['leebob', [], b.link],
     eves,
   ]);
-  assert.deepEqual(await read({ 'evepark_103_203_a.tsv': table, 'leebob_102_202_b.csv': b.text }), [
-    eves,
-    ['leebob', [], b.link],
+  const bobs = ['Lee Bob', ['Identifier'], a.link];
+  assert.deepEqual(await read({ 'section_101_2026_all.csv': table, 'section_102_2026_all.csv': table }), [
+    bobs,
+    bobs,
   ]);
   assert.deepEqual(await read({ 'Eve Park_103_assignsubmission_file_mine.csv': table }), [
     ['Eve Park', ...eves.slice(1)],
   ]);
   for (const name of ['class_2026_11_all.csv', 'class.csv'])
-    assert.deepEqual(await read({ [name]: table }), [['Lee Bob', ['Identifier'], a.link]]);
+    assert.deepEqual(await read({ [name]: table }), [bobs]);
 });
 
 test('of one student’s file the last receipts are read, so that there is room for the others, and a row says so', async () => {
@@ -184,7 +185,7 @@ test('a table has its names and columns in whatever a spreadsheet saves it', asy
       (await readAll([new File([new Uint8Array(bytes)], path)], createReader(links.pages))).map(
         ({ text: _, ...entry }) => entry,
       ),
-      [{ name, ident, link, why: null, isReceipt: true }],
+      [{ name, ident, link, why: null, isReceipt: true, isOnes: false }],
       `${path} ${name}`,
     );
 });

@@ -82,7 +82,15 @@ test('no cell is a formula, also for who divides at semicolons, tabs or line end
   const linked = link.split('&handin=')[0].replace('task=', 'task=;=1;-');
   const checked = /** @type {any} */ ({ gains: [-1, 0, 4.5], cost: 7, worth: 'holds', differs: [], own: 7 });
   const rows = [...texts, ...kept].map((cell) => ({
-    entry: { name: cell, ident: { [`${cell} `]: cell }, text: '', link: linked, why: null, isReceipt: true },
+    entry: {
+      name: cell,
+      ident: { [`${cell} `]: cell },
+      text: '',
+      link: linked,
+      why: null,
+      isReceipt: true,
+      isOnes: false,
+    },
     checked: { ...checked, who: cell, answers: cell },
     problem: /** @type {const} */ (''),
     same: [],
@@ -132,6 +140,9 @@ test('by whose exercise a class is judged: each counts once, what was cut does n
       ],
     );
   }
+  // What only stands before each is nobody's name.
+  const listed = [kim, lee, eves[0]].map(({ link }) => `Answer: ${site}#${link}`);
+  assert.equal((await check({ 'list.txt': listed.join('\n') })).given?.link, own?.link);
   const many = Object.fromEntries(cut.map((text, i) => [`${'abc'[i]}eve_${i}_7_x.txt`, text]));
   assert.equal((await check({ ...many, ...others })).given?.link, own?.link);
   // Where all are cut it is theirs.

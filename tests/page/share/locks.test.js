@@ -234,3 +234,16 @@ pageTest(
     assert.deepEqual(await page.problems(), []);
   },
 );
+
+pageTest('what is locked at the head has its lock in sight', async (page) => {
+  await page.open('#lab&v=1&task=Few.&lock=settings,share');
+  await page.until('they are locked', () => document.querySelectorAll('.tools [data-locked]').length > 1);
+  const seen = await page.evaluate(() =>
+    [...document.querySelectorAll('.tools [data-locked]')].map((button) => {
+      const { visibility, height } = getComputedStyle(button, '::after');
+      return [button.id, visibility, height];
+    }),
+  );
+  for (const [id, visibility, height] of seen)
+    assert.deepEqual([visibility, height], ['visible', '12px'], id);
+});

@@ -95,7 +95,7 @@ pageTest('the points of the paper’s numbers, and of ours, stand under each oth
         const range = document.createRange();
         range.setStart(firstChild, at);
         range.setEnd(firstChild, at + 1);
-        return Math.round(range.getBoundingClientRect().left);
+        return range.getBoundingClientRect().left;
       }),
     );
   });
@@ -103,7 +103,7 @@ pageTest('the points of the paper’s numbers, and of ours, stand under each oth
     points.map(({ length }) => length),
     [4, 6],
   );
-  for (const column of points) assert.equal(new Set(column).size, 1, String(column));
+  for (const column of points) assert.ok(Math.max(...column) - Math.min(...column) < 1, String(column));
 });
 
 pageTest('what there is to press of an exercise stands apart from what is said above it', async (page) => {

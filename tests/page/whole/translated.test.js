@@ -54,6 +54,10 @@ const links = [
 /** What is told after each link. @param {Page} page @param {boolean} isTranslated */
 async function told(page, isTranslated) {
   await page.open();
+  // What is heard comes a little later than what is seen.
+  await page.evaluate(() => {
+    /** @type {HTMLElement} */ (document.getElementById('announcer')).style.display = 'none';
+  });
   if (isTranslated) await page.evaluate(translate);
   const texts = [];
   for (const link of links) {

@@ -43,7 +43,12 @@ function workOf(left, { handGains, student, experiment }, generation) {
   const work = newWork(String(handGains), generation, student.spent);
   // What was handed in is looked at.
   if (student.handin) return work;
-  if (!left) return { ...work, begun: student.begun ?? work.begun };
+  if (!left)
+    return {
+      ...work,
+      begun: student.begun ?? work.begun,
+      spent: Math.max(work.spent, student.made ?? 0),
+    };
   const { begun, tries } = left.work;
   // The link may come from where more was done.
   const least = Math.max(work.spent, tries * left.experiment.starts.length);

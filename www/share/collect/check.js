@@ -135,9 +135,11 @@ async function givenTo(tools, entries, runs, asked) {
   return given ? { ...given, prepared: preparedBy(given.run, found.get(given.link)?.of ?? []) } : null;
 }
 
-/** By this a hand-in is one person's. @param {Entry} entry @param {Linked} run @param {number} index */
-const whoseOf = ({ name, ident }, { student }, index) =>
-  JSON.stringify(name ? [name, ident] : student.who || index);
+/** By this a hand-in is one person's; what only stands before a link may stand before all. @param {Entry} entry @param {Linked} run @param {number} index */
+function whoseOf({ name, ident, isOnes }, { student }, index) {
+  const isKnown = isOnes || Object.keys(ident).length > 0;
+  return JSON.stringify([name, ident, isKnown || student.who || index]);
+}
 
 /** Who has the very same answer as whom: one list for all of an answer. @param {Row[]} rows @returns {Row[]} */
 function withTwins(rows) {

@@ -23,7 +23,7 @@ const written =
 
 /** Without long runs of white space: Papa looks through what stands before a comma or a line's end anew from each quote before it. Where lines end, and what the next one begins with, stays. @param {string} text */
 const withoutRuns = (text) =>
-  text.replace(/\s{200,}/g, (run) => {
+  text.replace(/(?<!\s)\s{200,}/g, (run) => {
     const [end] = /\r?\n|\r/.exec(run) ?? [''];
     const next = run.replace(/^.*[\r\n]/s, '').replace(/[^\S\t]+/g, ' ');
     return end + next.slice(-99);

@@ -6,7 +6,7 @@ import { mostCharacters } from '../../link/link.js';
 import { mark } from '../handin/mark.js';
 import { fromRow, partsOf, tableIn } from './columns.js';
 
-/** One hand-in: who it is from as the platform says, how the platform knows them (column by column), a beginning of the text, and its link, or why there is none. @typedef {{ name: string, ident: Readonly<Record<string, string>>, text: string, link: string | null, why: 'none' | 'long' | 'more' | null, isReceipt: boolean }} Entry `isReceipt`: it says that it is one. */
+/** One hand-in: who it is from as the platform says, how the platform knows them (column by column), a beginning of the text, and its link, or why there is none. @typedef {{ name: string, ident: Readonly<Record<string, string>>, text: string, link: string | null, why: 'none' | 'long' | 'more' | null, isReceipt: boolean, isOnes: boolean }} Entry `isReceipt`: it says that it is one; `isOnes`: the platform put it into a file of this student's. */
 
 /** In characters. */
 export const mostOfAll = 12_000_000;
@@ -27,6 +27,7 @@ const unread = Object.freeze({
   link: null,
   why: 'none',
   isReceipt: false,
+  isOnes: false,
 });
 
 const entities = /** @type {Readonly<Record<string, string>>} */ ({
@@ -133,6 +134,9 @@ function createFinder(pages) {
   return { linksIn, linkIn, hasLink, holdsSeveral };
 }
 
+/** @param {readonly Entry[]} entries */
+const asOnes = (entries) => entries.map((entry) => ({ ...entry, isOnes: true }));
+
 /** @param {readonly string[]} pages */
 export function createReader(pages) {
   const { linksIn, linkIn, hasLink, holdsSeveral } = createFinder(pages);
@@ -145,6 +149,7 @@ export function createReader(pages) {
       ident,
       text: said,
       isReceipt: text.includes(mark),
+      isOnes: false,
     };
     if (text.length > mostOfOne) return { ...about, link: null, why: 'long' };
     const link = linkIn(text);
@@ -207,7 +212,8 @@ export function createReader(pages) {
 
     /** A file is one hand-in, unless it is a table or holds several; who those are from, its name says only where they are one student's. @param {string} path @param {string} text @param {{ name: string, isStudents: boolean }} [whose] @returns {Promise<Entry[]>} */
     async readFile(path, text, { name, isStudents } = ownersOfFiles([path])[0]) {
-      if (isStudents) return countOf(text, mark) > 1 ? fromLines(text, name, true) : [entryOf(text, name)];
+      if (isStudents)
+        return asOnes(countOf(text, mark) > 1 ? await fromLines(text, name, true) : [entryOf(text, name)]);
       if (!isTable(path) && !holdsSeveral(text)) return [entryOf(text, name)];
       const entries = await this.read(text);
       const whos = new Set(entries.map(({ link }) => link && whoIn(link)).filter(Boolean));
@@ -254,9 +260,8 @@ export function ownersOfFiles(paths) {
   /** @type {Map<string, Set<string>>} */
   const numbers = new Map();
   for (const { name, number } of owners) numbers.set(name, (numbers.get(name) ?? new Set()).add(number));
-  // Of Canvas a class has several; a table that is alone, such as class_2026_11_all.csv, is the lecturer's own.
-  const all = new Set(owners.map(({ number }) => number).filter(Boolean));
-  const isClass = all.size > 1 || owners.some(({ number }, i) => number !== '' && !isTable(paths[i]));
+  // Where all are tables, such as class_2026_11_all.csv, they are the lecturer's own.
+  const isClass = owners.some(({ number }, i) => number !== '' && !isTable(paths[i]));
   return owners.map(({ name, number, isMoodle }) => ({
     name: anybody.test(name) || (numbers.get(name)?.size ?? 0) > 1 ? `${name} ${number}`.trim() : name,
     isStudents: number !== '' && (isMoodle || isClass),

@@ -136,7 +136,7 @@ function cellsOf(index, rows, isPinned, { open, pin }) {
 export const csvName = 'hand-ins.csv';
 
 /** The sign by which a spreadsheet knows a formula, where a cell begins: also for programs that divide at semicolons, tabs or line ends, whatever is in quotes. */
-const sign = /(?<=(?:^|[;\t\r\n])[\s"]*)[-=+@＝＋－＠]/g;
+const sign = /[-=+@＝＋－＠](?<=(?:^|[;\t\r\n])[\s"]*.)/g;
 const negative = /^-\d+(?:\.\d+)?(?:e[+-]?\d+)?$/;
 
 /** @param {string} text */

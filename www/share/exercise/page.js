@@ -50,7 +50,7 @@ const own = {
   paper: {
     lock: `#drives-paper-ep, #drives-paper-arbitrary, ${standing('ep', 'arbitrary')}`,
     // The page's own checks tell them.
-    hide: '#drives label[data-value^="paper"], #keys-checks, #keep-checks',
+    hide: '#drives label[data-choice^="paper"], #keys-checks, #keep-checks',
   },
   postures: {
     lock: `#handles, #restore-postures, ${ends} ${fields}, #settings-preset`,

@@ -7,7 +7,7 @@ export * from './common.js';
 export const texts = {
   help: 'Paste what your students handed in, or drop files and folders here: receipts, links, a column or the whole table of Moodle or Canvas, their online texts. A zip is to be unpacked first. Every drive is computed again here, and nothing leaves this page.',
   paste: 'What was handed in',
-  exercise: 'Link of the exercise (if empty: that of most hand-ins)',
+  exercise: 'Link of the exercise (if empty: that of most students)',
   files: 'Choose files',
   folder: 'Choose a folder',
   empty: 'Another class',
@@ -75,7 +75,7 @@ export const worths = {
 };
 
 export const lacksWho = 'not judged: it has no name or number, for which the exercise is drawn';
-export const unseen = 'its name or number holds characters that nobody sees, and they count in what is drawn';
+export const unseen = 'its name or number holds characters that nobody sees';
 export const lacksDrives = 'not judged: nobody knows how many drives it took';
 
 /** @param {number} told */

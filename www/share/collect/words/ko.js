@@ -7,7 +7,7 @@ export * from './common.js';
 export const texts = {
   help: '학생들이 낸 것을 붙여 넣거나 파일과 폴더를 여기에 끌어다 놓으십시오. 제출물, 링크, Moodle이나 Canvas의 표 전체 또는 한 열, 온라인 텍스트를 모두 읽습니다. 압축 파일은 먼저 푸십시오. 모든 주행을 여기서 다시 계산하며 아무것도 이 페이지 밖으로 나가지 않습니다.',
   paste: '제출된 내용',
-  exercise: '과제 링크(비우면 가장 많은 제출물이 푼 과제)',
+  exercise: '과제 링크(비우면 가장 많은 학생이 푼 과제)',
   files: '파일 고르기',
   folder: '폴더 고르기',
   empty: '다른 반',
@@ -75,7 +75,7 @@ export const worths = {
 };
 
 export const lacksWho = '이름이나 학번이 없어 과제가 정해지지 않았으므로 판정하지 않음';
-export const unseen = '이름이나 학번에 보이지 않는 글자가 있고, 과제는 그 글자까지 넣어 정해짐';
+export const unseen = '이름이나 학번에 보이지 않는 글자가 있음';
 export const lacksDrives = '주행 횟수를 알 수 없어 판정하지 않음';
 
 /** @param {number} told */

@@ -11,8 +11,7 @@ export const texts = {
   title: 'Hand in',
   close: 'Close',
   whoLabel: 'Your name or number',
-  whoHelp:
-    'It is asked once. From then on it stands in the address and in what you copy or save here; nothing is sent.',
+  whoHelp: 'It is asked once. From then on it stands in the address and in what you copy or save here.',
   whoDrawn: 'The exercise was drawn for this name: for another, open the link that your lecturer gave.',
   begin: 'Begin',
   whoFirst:
