@@ -69,7 +69,7 @@ export function followHeld(element, onHeld, onRelease) {
   };
   element.addEventListener('pointerdown', (event) => {
     // A palm beside the pen, or another hand.
-    const isTaken = pointer !== null && element.hasPointerCapture(pointer);
+    const isTaken = held && pointer !== null && element.hasPointerCapture(pointer);
     if (event.button !== 0 || isTaken) return;
     pointer = event.pointerId;
     element.setPointerCapture(pointer);

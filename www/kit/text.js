@@ -13,7 +13,7 @@ export const tidyText = (text) => plainText(text).replace(/\s+/g, ' ').trim();
 export const seenText = (text) =>
   tidyText(
     text.replace(
-      /((?<=[\p{L}\p{M}\p{ExtPict}])(?<![\p{scx=Latn}\p{scx=Grek}\p{scx=Cyrl}\p{scx=Hang}\p{scx=Zinh}])[\p{Join_C}\p{VS}])|[\p{DI}\u2800\ufff9-\ufffb]/gu,
+      /((?<=[\p{L}\p{M}\p{ExtPict}\p{EMod}]|\p{ExtPict}\ufe0f)(?<![\p{scx=Latn}\p{scx=Grek}\p{scx=Cyrl}\p{scx=Hang}]|(?<!\p{ExtPict})[\p{scx=Zinh}\p{DI}])[\p{Join_C}\p{VS}])|[\p{DI}\u2800\ufff9-\ufffb]/gu,
       '$1',
     ),
   );

@@ -21,7 +21,8 @@ function forget(storage, link) {
 /** @param {Storage} storage @param {State} state */
 function keepWork(storage, state) {
   const lasted = performance.now() - state.work.begun;
-  const kept = [workId(state), Date.now() - lasted, spentOf(caughtUp(state))];
+  const shown = caughtUp(state);
+  const kept = [workId(state), Date.now() - lasted, spentOf(shown), shown.generation];
   if (workId(state)) storage.setItem(workKey, JSON.stringify(kept));
 }
 
@@ -64,7 +65,9 @@ export function takeLeft() {
 export function takeWork(opened) {
   if (isEmbedded || !isBack()) return opened;
   const kept = withStorage((storage) => {
-    const [id, since, made = 0] = JSON.parse(storage.getItem(workKey) ?? '[]');
+    const [id, since, driven = 0, generation = 0] = JSON.parse(storage.getItem(workKey) ?? '[]');
+    // Of other generations the link itself says more, or less, of what was driven.
+    const made = generation === opened.generation ? driven : 0;
     return Number.isFinite(since) && Number.isSafeInteger(made) ? { id, since, made } : null;
   });
   if (!kept?.id || kept.id !== workId(opened)) return opened;

@@ -82,10 +82,13 @@ const inSpacedGroups = /^[+-]?[1-9]\d{0,2}([ \u00a0\u2009\u202f]\d{3})+([.,]\d*)
 /** As wide as Korean letters. */
 const wide = /[！-～]/g;
 
+/** @param {string} text */
+export const narrowed = (text) =>
+  text.replace(wide, (letter) => String.fromCharCode(letter.charCodeAt(0) - 0xfee0)).trim();
+
 /** With the signs of a keyboard; an en dash is what word processors make of a minus. @param {string} text */
 function plainOf(text) {
-  const narrow = text.replace(wide, (letter) => String.fromCharCode(letter.charCodeAt(0) - 0xfee0));
-  const trimmed = narrow.trim().replaceAll(/[−–]/g, '-');
+  const trimmed = narrowed(text).replaceAll(/[−–]/g, '-');
   return inSpacedGroups.test(trimmed) ? trimmed.replaceAll(/\s/g, '') : trimmed;
 }
 

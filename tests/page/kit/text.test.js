@@ -27,5 +27,7 @@ test('what nobody sees is left out, but for what is seen in how letters are join
   ])
     assert.equal(seenText(name), name);
   assert.equal(seenText('ع\u200d\u200d\u200bلی'), 'ع\u200dلی');
+  assert.equal(seenText('❤\ufe0f\u200d🔥'), '❤\ufe0f\u200d🔥');
+  for (const unseen of ['\u180b\u180b', '\u17b4\u200d']) assert.equal(seenText(unseen), '');
   assert.equal(seenText('Jose\u0301\u200d'), 'Jose\u0301');
 });

@@ -37,8 +37,9 @@ function createHands(t) {
   });
   const tally = createTally(store);
   /** An event that the window hears. @param {string} type @param {object} target */
-  const fire = (type, target) => {
-    for (const act of heard.get(type) ?? []) act({ type, target, currentTarget: globals });
+  const fire = (type, target, pointerId = 1) => {
+    const more = type.startsWith('pointer') && { pointerId };
+    for (const act of heard.get(type) ?? []) act({ type, target, currentTarget: globals, ...more });
   };
   /** How many there are after a frame. @param {Partial<Live['state']>} [patch] @param {boolean} [isTyped] */
   const counted = (patch, isTyped = true) => {
@@ -112,6 +113,24 @@ test('what a slider passes through does not count, whatever had the focus before
     fire(end, target);
     drives += 1;
     assert.equal(counted({}, false), drives, `${press}, ${end}`);
+  }
+});
+
+test('while one hand holds a slider, what another presses counts nothing, there or elsewhere', (t) => {
+  const { counted, fire, createSlider, createField } = createHands(t);
+  const [slider, other] = [createSlider(), createSlider()];
+  for (const pressed of [other, createField()]) {
+    const before = counted({}, false);
+    fire('pointerdown', slider, 1);
+    fire('input', slider);
+    fire('pointerdown', pressed, 2);
+    fire('pointerup', pressed, 2);
+    for (const kx of [4, 5 + before]) {
+      fire('input', slider);
+      assert.equal(counted(by(kx), false), before);
+    }
+    fire('pointerup', slider, 1);
+    assert.equal(counted({}, false), before + 1);
   }
 });
 

@@ -40,8 +40,11 @@ const dragHandle = (page, id, dx, dy, kind) =>
           }),
         );
       // A pointer that is made up cannot be captured.
-      element.setPointerCapture = () => {};
-      element.hasPointerCapture = () => true;
+      let captured = Number.NaN;
+      element.setPointerCapture = (id) => {
+        captured = id;
+      };
+      element.hasPointerCapture = (id) => id === captured;
       send('pointerdown', at);
       for (const part of [0.5, 1])
         send('pointermove', { clientX: at.clientX + part * right, clientY: at.clientY + part * down });

@@ -185,7 +185,7 @@ test('a table has its names and columns in whatever a spreadsheet saves it', asy
       (await readAll([new File([new Uint8Array(bytes)], path)], createReader(links.pages))).map(
         ({ text: _, ...entry }) => entry,
       ),
-      [{ name, ident, link, why: null, isReceipt: true, isOnes: false }],
+      [{ name, ident, link, why: null, isReceipt: true, isOnes: true }],
       `${path} ${name}`,
     );
 });

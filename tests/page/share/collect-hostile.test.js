@@ -143,6 +143,9 @@ test('by whose exercise a class is judged: each counts once, what was cut does n
   // What only stands before each is nobody's name.
   const listed = [kim, lee, eves[0]].map(({ link }) => `Answer: ${site}#${link}`);
   assert.equal((await check({ 'list.txt': listed.join('\n') })).given?.link, own?.link);
+  // Nor what else stands in a row.
+  const table = ['Section,Link', ...[kim, lee, eves[0]].map(({ link }) => `A,"${site}#${link}"`)];
+  assert.equal((await check({ 'list.csv': table.join('\n') })).given?.link, own?.link);
   const many = Object.fromEntries(cut.map((text, i) => [`${'abc'[i]}eve_${i}_7_x.txt`, text]));
   assert.equal((await check({ ...many, ...others })).given?.link, own?.link);
   // Where all are cut it is theirs.

@@ -80,27 +80,28 @@ function record(store, { experiment, gains, cost, arrived }) {
 
 /** What a hand does with the gains: while it holds a slider, or a key of it, it has not moved yet. @param {Store} store */
 function watchHand(store) {
-  /** The slider, and what points at it; no number: a key. @type {EventTarget | null} */
+  /** The slider. @type {EventTarget | null} */
   let held = null;
-  /** @type {number | null} */
-  let pointer = null;
+  /** What points at sliders: also a palm, or another hand. @type {Set<number>} */
+  const pointers = new Set();
   let moved = false;
   const isOfGains = (/** @type {EventTarget | null} */ target) =>
     target instanceof HTMLInputElement && target.closest('#gains') !== null;
   const letGo = () => {
     if (held) store.redraw();
     held = null;
+    pointers.clear();
   };
   onCapture(['pointerdown', 'keydown'], (event) => {
     const { target } = event;
-    const pointerId = event instanceof PointerEvent ? event.pointerId : null;
     const isSlider = isOfGains(target) && /** @type {HTMLInputElement} */ (target).type === 'range';
-    // A palm beside the pen, or another hand.
-    if (!isSlider && held && pointerId !== null && pointer !== null && pointerId !== pointer) return;
+    if (!isSlider && pointers.size > 0) return;
     held = isSlider ? target : null;
-    pointer = pointerId;
+    if (isSlider && 'pointerId' in event) pointers.add(event.pointerId);
   });
-  onCapture(['pointerup', 'pointercancel'], ({ pointerId }) => pointerId === pointer && letGo());
+  onCapture(['pointerup', 'pointercancel'], ({ pointerId }) => {
+    if (pointers.delete(pointerId) && pointers.size === 0) letGo();
+  });
   onCapture(['keyup'], letGo);
   // Of the slider or of the window: where a press begins, whatever had the focus before loses it.
   onCapture(['blur'], ({ target, currentTarget }) => {

@@ -136,10 +136,8 @@ async function givenTo(tools, entries, runs, asked) {
 }
 
 /** By this a hand-in is one person's; what only stands before a link may stand before all. @param {Entry} entry @param {Linked} run @param {number} index */
-function whoseOf({ name, ident, isOnes }, { student }, index) {
-  const isKnown = isOnes || Object.keys(ident).length > 0;
-  return JSON.stringify([name, ident, isKnown || student.who || index]);
-}
+const whoseOf = ({ name, ident, isOnes }, { student }, index) =>
+  JSON.stringify([name, ident, isOnes || student.who || index]);
 
 /** Who has the very same answer as whom: one list for all of an answer. @param {Row[]} rows @returns {Row[]} */
 function withTwins(rows) {

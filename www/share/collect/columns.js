@@ -72,5 +72,6 @@ export function fromRow({ columns, named, texts, idents }, row, entryOf) {
   const [whole, first, last] = named.map((i) => row[i]?.trim() ?? '');
   const ident = Object.fromEntries(idents.map((i) => [columns[i], row[i] ?? '']));
   const text = texts.map((i) => row[i] ?? '').join('\n');
-  return entryOf(text, whole || [first, last].filter(Boolean).join(' '), ident);
+  const name = whole || [first, last].filter(Boolean).join(' ');
+  return { ...entryOf(text, name, ident), isOnes: name !== '' };
 }

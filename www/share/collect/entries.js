@@ -6,7 +6,7 @@ import { mostCharacters } from '../../link/link.js';
 import { mark } from '../handin/mark.js';
 import { fromRow, partsOf, tableIn } from './columns.js';
 
-/** One hand-in: who it is from as the platform says, how the platform knows them (column by column), a beginning of the text, and its link, or why there is none. @typedef {{ name: string, ident: Readonly<Record<string, string>>, text: string, link: string | null, why: 'none' | 'long' | 'more' | null, isReceipt: boolean, isOnes: boolean }} Entry `isReceipt`: it says that it is one; `isOnes`: the platform put it into a file of this student's. */
+/** One hand-in: who it is from as the platform says, how the platform knows them (column by column), a beginning of the text, and its link, or why there is none. @typedef {{ name: string, ident: Readonly<Record<string, string>>, text: string, link: string | null, why: 'none' | 'long' | 'more' | null, isReceipt: boolean, isOnes: boolean }} Entry `isReceipt`: it says that it is one; `isOnes`: it stands in a file of this student's, or in a row with this name. */
 
 /** In characters. */
 export const mostOfAll = 12_000_000;

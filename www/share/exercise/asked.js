@@ -4,6 +4,7 @@
 import { aimOf, scaleOf } from '../../link/exercise.js';
 import { number, numberText } from '../../link/values.js';
 import { most } from '../../run/aim.js';
+import { narrowed } from '../../words/numbers.js';
 import words from '../words/index.js';
 
 /** As they are typed; `points`: a value, the points at it, another value, the points at that. @typedef {{ kind: 'none' | 'cost' | 'parks' | 'unseen', value: string, drives: string, points: readonly string[] }} Fields */
@@ -35,9 +36,6 @@ function orSay(field, why, read) {
 /** As links have it: nine tenths, for who types 90 %. @param {string} text */
 const shareOf = (text) =>
   text.endsWith('%') ? numberText(Number((number(text.slice(0, -1)) / 100).toPrecision(15))) : text;
-
-/** Letters as wide as Korean ones are as good. @param {string} text */
-const plain = (text) => text.normalize('NFKC').trim();
 
 /** How a link has what is typed of each aim. */
 const inLink = {
@@ -78,7 +76,7 @@ function scaleIn(wanted, points) {
 /** @param {Fields} fields @returns {Pick<Exercise, 'aim' | 'scale'>} */
 export function asked({ kind, ...fields }) {
   if (kind === 'none') return { aim: null, scale: null };
-  const [value, drives, ...points] = [fields.value, fields.drives, ...fields.points].map(plain);
+  const [value, drives, ...points] = [fields.value, fields.drives, ...fields.points].map(narrowed);
   const wanted = orSay('maker-value', words.wrongValue(kind, most), () => {
     const text = `${heads[kind]}${inLink[kind](value)}`;
     aimOf(text);
