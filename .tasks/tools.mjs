@@ -96,6 +96,6 @@ async function installWasmBindgen() {
 async function cargoInstall(name, options, reason) {
   console.log(`\n${name} is missing: ${reason}. It is built into .tools/ once.`);
   const env = { CARGO_TARGET_DIR: build, CARGO_PROFILE_DEV_DEBUG: '0' };
-  const args = ['install', name, '--locked', ...options, '--debug', '--force', '--root', join(top, '.tools')];
+  const args = ['install', name, ...options, '--debug', '--force', '--root', join(top, '.tools')];
   await step(`building ${name}`, () => run('cargo', args, { env }), '1 to 2 minutes');
 }
