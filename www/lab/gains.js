@@ -47,6 +47,7 @@ export function createRow(gain, index, events, unit = '') {
   let typing = false;
   // Keys go step by step, and need no help.
   let held = false;
+  let sliding = false;
   let current = 0;
   const on = {
     hold: () => {
@@ -59,8 +60,15 @@ export function createRow(gain, index, events, unit = '') {
       const slider = /** @type {HTMLInputElement} */ (target);
       const reach = detent * (Number(slider.max) - Number(slider.min));
       if (held && Math.abs(slider.valueAsNumber) < reach) slider.value = '0';
+      sliding = true;
       events.onSlide(index, slider.valueAsNumber);
     },
+    slid: () => {
+      sliding = false;
+      events.onSlid();
+    },
+    /** Also where a finger only scrolls the page. */
+    lost: () => sliding && on.slid(),
     input: () => {
       typing = true;
     },
@@ -101,7 +109,7 @@ export function createRow(gain, index, events, unit = '') {
           <input id="slider-${id}" type="range" step="0.01" aria-label=${gain.name}
             aria-valuetext=${unit ? `${text} ${unit}` : nothing}
             .min=${String(low)} .max=${String(high)} .value=${live(String(value))} ${from} ${to} ${zero}
-            @pointerdown=${on.hold} @keydown=${on.key} @input=${on.slide} @change=${events.onSlid} @pointercancel=${events.onSlid}>
+            @pointerdown=${on.hold} @keydown=${on.key} @input=${on.slide} @change=${on.slid} @pointercancel=${on.lost}>
           <input id="gain-${id}" type="text" inputmode=${keysFor(true)} autocomplete="off" spellcheck="false"
             aria-label=${strings.gainInputLabel(gain.name)} aria-describedby="gain-${id}-error"
             aria-invalid=${String(message !== '')} .value=${isStale ? live(text) : noChange}

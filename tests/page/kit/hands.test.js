@@ -138,6 +138,26 @@ pageTest('a drag of a gain that a browser takes away was a drive', async (page) 
   );
 });
 
+pageTest(
+  'a finger that only scrolls lets the drive be as it is',
+  async (page) => {
+    await page.open('#lab');
+    const clock = () => /** @type {HTMLInputElement} */ (document.getElementById('scrub')).value;
+    await page.until('the robot has arrived', () => {
+      const scrub = /** @type {HTMLInputElement | null} */ (document.getElementById('scrub'));
+      return scrub && scrub.value === scrub.max && document.getElementById('play')?.textContent;
+    });
+    const before = await page.evaluate(clock);
+    await page.evaluate(async () => {
+      document.getElementById('slider-kx')?.dispatchEvent(new Event('pointercancel', { bubbles: true }));
+      await new Promise(requestAnimationFrame);
+      await new Promise(requestAnimationFrame);
+    });
+    assert.equal(await page.evaluate(clock), before);
+  },
+  { moves: true },
+);
+
 pageTest('a pen that scrolls the page moves no slider', async (page) => {
   await page.open('#lab');
   const seen = await page.evaluate(async () => {
