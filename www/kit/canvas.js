@@ -1,5 +1,6 @@
 // Canvases that are drawn on in CSS pixels at the screen's own density, and what is on them, to be drawn once more elsewhere.
 import { watch } from './memo.js';
+import { followPixels } from './size.js';
 
 /** @typedef {{ width: number, height: number }} Size */
 /** @typedef {(context: CanvasRenderingContext2D) => void} Paint */
@@ -46,15 +47,28 @@ export function sharpLine(context, width) {
 /** @param {HTMLCanvasElement} canvas */
 export function createLayer(canvas) {
   const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
-  return {
+  const covered = followPixels(canvas, () => {
+    const picture = pictures.get(canvas);
+    if (!picture) return;
+    const [width, height] = pixelsOf(picture.size, devicePixelRatio);
+    if (canvas.width !== width || canvas.height !== height) layer.draw(picture.size, picture.paint);
+  });
+  /** Of another size than the one that is drawn what is covered says nothing. @param {Size} size @param {number} density */
+  const pixelsOf = ({ width, height }, density) =>
+    [width, height].map((length, axis) => {
+      const [pixels, own] = [Math.round(length * density), covered()[axis]];
+      return Math.abs(own - pixels) <= 1 ? own : pixels;
+    });
+  const layer = {
     /** Fits the canvas to its size in CSS pixels, empties it, and draws. @param {Size} size @param {Paint} paint It may be called again, to the same end. */
     draw(size, paint) {
       const density = globalThis.devicePixelRatio || 1;
-      const [width, height] = [Math.round(size.width * density), Math.round(size.height * density)];
+      const [width, height] = pixelsOf(size, density);
       if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
       densities.set(context, density);
+      context.setTransform(1, 0, 0, 1, 0, 0);
+      context.clearRect(0, 0, width, height);
       context.setTransform(density, 0, 0, density, 0, 0);
-      context.clearRect(0, 0, size.width, size.height);
       context.save();
       paint(context);
       context.restore();
@@ -69,6 +83,7 @@ export function createLayer(canvas) {
       if (picture) picture.paint = whole;
     },
   };
+  return layer;
 }
 
 /** A layer that is drawn when what it shows is another. @param {HTMLCanvasElement} canvas */

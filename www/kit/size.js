@@ -42,6 +42,24 @@ export function followSize(element, onResize, onPaper = shrink) {
   return () => size;
 }
 
+/**
+ * How many pixels of the screen an element covers across and down, where the browser tells them: its edges may lie between two, and a
+ * picture of one more or less is blurred. None on paper, where a canvas is as high as its pixels make it.
+ * @param {Element} element @param {() => void} onChange
+ */
+export function followPixels(element, onChange) {
+  let pixels = [0, 0];
+  // In the next frame, as above.
+  if ('devicePixelContentBoxSize' in (globalThis.ResizeObserverEntry?.prototype ?? {}))
+    new ResizeObserver(([entry]) => {
+      const [{ inlineSize, blockSize }] = entry.devicePixelContentBoxSize;
+      pixels = [inlineSize, blockSize];
+      // In the next frame, as above.
+      requestAnimationFrame(onChange);
+    }).observe(element, { box: 'device-pixel-content-box' });
+  return () => (isOnPaper ? [0, 0] : pixels);
+}
+
 /** @param {'look' | 'tell'} what */
 function each(what) {
   for (const held of followed) {

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import fc from 'fast-check';
 import { createLayer, sharpLine } from '../../../www/kit/canvas.js';
+import { engineTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 
 /** A line on a layer of so many pixels of the screen in one of CSS. @param {number} density @param {number} width @returns {ReturnType<typeof sharpLine>} */
@@ -41,3 +42,35 @@ test('of whole pixels, and where it is written down, a line is as wide as asked 
     assert.deepEqual([width, middle(7.4), middle(7.6), middle(7.6, 0)], [1, 7.5, 8.5, 8]);
   assert.equal(lineAt(2, 1.5).width, 1.5);
 });
+
+engineTest(
+  'a picture has the pixels of the screen that it covers, also where its edges lie between two',
+  async (page) => {
+    // Its browser does not tell them.
+    if (page.engine === 'webkit') return;
+    await page.resize(1440, 900);
+    await page.open('#disturbance&v=1&under=slip,0.1,0.2');
+    const canvases = await page.until('all are drawn as they are seen', async () => {
+      const seen = [...document.querySelectorAll('canvas')].filter((one) => one.checkVisibility());
+      /** @type {[number, number, number][]} */
+      const sizes = await Promise.all(
+        seen.map(
+          (canvas) =>
+            new Promise((resolve) => {
+              new ResizeObserver(([{ devicePixelContentBoxSize }], observer) => {
+                const [{ inlineSize, blockSize }] = devicePixelContentBoxSize;
+                observer.disconnect();
+                resolve([
+                  canvas.width - inlineSize,
+                  canvas.height - blockSize,
+                  canvas.getBoundingClientRect().width,
+                ]);
+              }).observe(canvas, { box: 'device-pixel-content-box' });
+            }),
+        ),
+      );
+      return sizes.every(([across, down]) => across === 0 && down === 0) && sizes.map(([, , width]) => width);
+    });
+    assert.ok(canvases.length > 3 && canvases.some((width) => !Number.isInteger(width)), canvases.join(', '));
+  },
+);

@@ -53,7 +53,7 @@ async function layoutOn(page, driving, others, isLog = false) {
     const isDrawn = [
       canvas.width - width * devicePixelRatio,
       canvas.height - height * devicePixelRatio,
-    ].every((difference) => Math.abs(difference) < 1);
+    ].every((difference) => Math.abs(difference) <= 1);
     return isDrawn && { width, height };
   });
   return layoutOf(size, driving, others, isLog);
