@@ -36,6 +36,12 @@ export async function canLoad() {
   return answer.includes('id="instrument"');
 }
 
+/** @param {string} letter One of ASCII. */
+export const percent = (letter) => `%${letter.charCodeAt(0).toString(16).toUpperCase()}`;
+
+/** What programs take for the end of an address in a text, or for its emphasis, is written otherwise. @param {string} link */
+export const amongWords = (link) => link.replaceAll(/[!'()*]|[,.;~]$/g, percent);
+
 /** The address of the whole page, or with `embed` of its figure for a frame; who works on it only the link says. @param {string} page @param {string} link the text after # @param {boolean} embed */
 export function addressOf(page, link, embed) {
   const address = new URL(page);
@@ -43,6 +49,6 @@ export function addressOf(page, link, embed) {
   // URL would write ?embed=, which is longer to no end.
   const others = address.searchParams.toString();
   address.search = [embed ? 'embed' : '', others].filter(Boolean).join('&');
-  address.hash = link;
+  address.hash = amongWords(link);
   return address.href;
 }

@@ -20,7 +20,8 @@ import { driveKeys, lessonKey, pinKeys } from './keys.js';
 import { sealOf } from './seal.js';
 import { PartlyRead, readAll } from './together.js';
 import { beginningOf, plainText, seenText } from '../kit/text.js';
-import { decoded, encoded, oneOf, pairOf, percent, wellFormed } from './values.js';
+import { decoded, encoded, oneOf, pairOf, wellFormed } from './values.js';
+import { percent } from '../kit/host.js';
 
 /** @typedef {(preset: Preset) => Experiment} ExperimentOf */
 /**

@@ -87,9 +87,6 @@ export function pairOf(text) {
 /** Only what would end a value, or what browsers change, is written as %. @param {string} text */
 export const encoded = (text) => wellFormed(text).replaceAll(/[^\w,;.!~*'()-]+/g, encodeURIComponent);
 
-/** @param {string} letter One of ASCII. */
-export const percent = (letter) => `%${letter.charCodeAt(0).toString(16).toUpperCase()}`;
-
 /** Half a character, which a cut can leave, has no code in an address. @param {string} text */
 export const wellFormed = (text) => text.replaceAll(/[\ud800-\udfff]/gu, '\ufffd');
 

@@ -26,6 +26,13 @@ test('the text of a frame says where, how large and what, and nothing in it ends
     'https://host/ep/?lang=ko#lab&task=Park&who=s1',
   );
   assert.equal(addressOf('file:///home/me/ep.html', 'lab', true), 'file:///home/me/ep.html?embed#lab');
+  // What programs that find addresses in a text leave out of them, or take for emphasis.
+  assert.equal(
+    addressOf('https://host/', 'lab&pin1=me~1,2,3&task=Park%20(all)!%20*Who*~', false),
+    'https://host/#lab&pin1=me~1,2,3&task=Park%20%28all%29%21%20%2AWho%2A%7E',
+  );
+  for (const end of '.,;')
+    assert.match(addressOf('https://host/', `lab&task=it${end}`, false), /it%2[CE]$|it%3B$/);
   const text = frameText({ address, title: 'a "title" & <more>', width: 640, height: 420 });
   assert.equal(
     text,

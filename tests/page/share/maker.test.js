@@ -179,7 +179,7 @@ pageTest('what cannot be handed in is not made: Park leads on into the lab', asy
     () => document.body.dataset.open === 'lab' && document.getElementById('maker-link'),
   );
   const link = await linkMade(page);
-  assert.match(link, /^lab&v=1&.*&hide=run&task=Park%20all\.$/);
+  assert.match(link, /^lab&v=1&.*&hide=run&task=Park%20all%2E$/);
   assert.equal(decodeURIComponent(/&start=([^&]*)/.exec(link)?.[1] ?? '').split(';').length, 32);
   await page.open(`#${link}`);
   await page.until('it can be handed in', () => document.getElementById('hand-in'));

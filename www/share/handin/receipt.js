@@ -8,9 +8,10 @@
 /** @import { State } from '../../run/state.js' */
 /** @import { Measured } from './measure.js' */
 import { digitsOf } from '../../kit/hash.js';
+import { amongWords } from '../../kit/host.js';
 import { withoutFreeSeed } from '../../link/exercise.js';
 import { isSealed, sealOf } from '../../link/seal.js';
-import { encoded, numberText, percent } from '../../link/values.js';
+import { encoded, numberText } from '../../link/values.js';
 import { judged } from '../../run/aim.js';
 import { gainsOf } from '../../run/drivers.js';
 import { noPins } from '../../run/pins.js';
@@ -99,13 +100,11 @@ export async function receiptOf({ engine, links, paper }, state, answers = {}) {
   };
   const link = answerLink(state, engine, links);
   const body = bodyOf(told);
-  // Whatever ends a link in a text is written otherwise.
-  const safe = `${link}&handin=${encoded(`${body}~${sealOf(link, body)}`)}`.replace(/[!'()*]/g, percent);
   const { method, seed } = experiment.evolution;
   return {
     ...told,
     who: student.who,
-    link: safe,
+    link: amongWords(`${link}&handin=${encoded(`${body}~${sealOf(link, body)}`)}`),
     gains,
     how: { driver, method, seed, generation },
     apart,
