@@ -26,6 +26,18 @@ async function openLandscape(page) {
   await finished(page);
 }
 
+/** @param {Page} page @param {'x' | 'y'} axis @param {string} text */
+const setAxis = (page, axis, text) =>
+  page.evaluate(
+    (axis, text) => {
+      const select = /** @type {HTMLSelectElement} */ (document.getElementById(`landscape-${axis}`));
+      select.selectedIndex = [...select.options].findIndex((option) => option.text === text);
+      select.dispatchEvent(new Event('change'));
+    },
+    axis,
+    text,
+  );
+
 /** Waits until the page has drawn what happened last, and the fine landscape of that is there. @param {Page} page */
 const finished = (page) =>
   page.until('the fine landscape is drawn', async () => {
@@ -213,11 +225,7 @@ engineTest('the cursor moves by keys, and Enter drives', async (page) => {
 
 pageTest('the axes can be changed, also to logarithms, and the third gain set', async (page) => {
   await openLandscape(page);
-  await page.evaluate(() => {
-    const select = /** @type {HTMLSelectElement} */ (document.getElementById('landscape-y'));
-    select.selectedIndex = [...select.options].findIndex(({ text }) => text === 'ky, log');
-    select.dispatchEvent(new Event('change'));
-  });
+  await setAxis(page, 'y', 'ky, log');
   await finished(page);
   /** @type {Axis} */
   const logarithmic = { gain: 'ky', from: 0.01, to: 120, log: true };
@@ -233,4 +241,16 @@ pageTest('the axes can be changed, also to logarithms, and the third gain set', 
   await page.press('2', Key.ENTER);
   await finished(page);
   await assertPicture(page, velocityLimits, across, logarithmic, [0, 0, 2]);
+
+  // It stays as long as it is the same gain.
+  for (const [axis, text, link] of /** @type {const} */ ([
+    ['x', 'kx, log', 'x=kx-log&y=ky-log&third=2'],
+    ['x', 'ky', 'x=ky&y=kx-log&third=2'],
+    ['y', 'kx', 'x=ky&y=kx&third=2'],
+    ['x', 'kθ', 'x=ktheta&y=kx'],
+  ])) {
+    await setAxis(page, axis, text);
+    const address = `#landscape&v=1&drives=paper-ep&${link}`;
+    await page.until(address, (address) => location.hash === address, address);
+  }
 });

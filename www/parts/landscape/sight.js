@@ -68,7 +68,9 @@ function createEvents(store) {
       // The gain of the other axis: the two change places.
       const left = gain === other.gain ? { ...other, gain: before.gain } : other;
       const axes = axis === 'x' ? { x: chosen, y: left } : { x: left, y: chosen };
-      update({ third: null, thirdError: '', cursor: null, ...axes });
+      // Only another gain than before has no value of its own yet.
+      const isOther = thirdOf(axes) !== thirdOf(own());
+      update({ ...(isOther && { third: null, thirdError: '' }), cursor: null, ...axes });
       if (left === other) return;
       const moved = choices[chosenOf(left)].text;
       announce('landscape-axis', `${axis === 'x' ? texts.landscapeUp : texts.landscapeAcross}: ${moved}`);
