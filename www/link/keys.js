@@ -131,7 +131,7 @@ export const lessonKey = (steps) => ({
 /** A pinned drive: its name, gains, and what its experiment has different. @param {Pin} pin @param {Experiment} usual */
 function pinText({ name, gains, experiment }, usual) {
   const changes = changesText(experiment, usual);
-  return [name.replaceAll('~', '-'), gains.map(numberText).join(','), ...changes].join('~');
+  return [name, gains.map(numberText).join(','), ...changes].join('~');
 }
 
 /** @param {string} text @param {number} slot @param {Experiment} usual @param {Engine} engine @returns {Pin} */

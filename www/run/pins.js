@@ -64,7 +64,9 @@ export function differenceOf(a, b) {
 /** @param {Pins} pins @param {string} name */
 function unused(pins, name) {
   const isTaken = (/** @type {string} */ text) => pins.some((pin) => pin.name === text);
-  let text = name;
-  for (let i = 2; isTaken(text); i += 1) text = words.again(name, i);
+  // In links ~ ends the name.
+  const wanted = name.replaceAll('~', '-');
+  let text = wanted;
+  for (let i = 2; isTaken(text); i += 1) text = words.again(wanted, i);
   return text;
 }

@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { asksSomething, groupNames, noExercise, withWay } from '../../../www/run/exercise.js';
 import { links } from '../../../www/lesson/links.js';
 import { luckSlice } from '../../../www/parts/luck/state.js';
+import { renamed, withPin } from '../../../www/run/pins.js';
 import { preparedAs } from '../../../www/run/prepared.js';
 import { finds, presets } from '../../../www/run/state.js';
 import { drawnFor, nobody } from '../../../www/run/variant.js';
@@ -145,15 +146,13 @@ test('the name of a pin turns nothing around', () => {
   assert.equal(pins[0].name, 'Aevil ');
 });
 
-test('whatever a pin is called, its link has its gains', () => {
-  const named = {
-    slot: 0,
-    name: 'a~b~c',
-    experiment: velocityLimits,
-    gains: /** @type {const} */ ([1, 2, 3]),
-  };
-  const link = linkOf({ ...plain, pins: [named] }, experiment);
-  assert.deepEqual(open(link).opened.pins, [{ ...named, name: 'a-b-c' }]);
+test('whatever pins are called, their link has their gains, and they are called so', () => {
+  const driven = { experiment: velocityLimits, gains: /** @type {const} */ ([1, 2, 3]) };
+  const two = withPin(withPin([], driven, 'a-b-c'), driven, 'a~b~c');
+  for (const pins of [two, renamed(two, 0, 'd~e'), renamed(two, 0, 'a~b-c (2)')]) {
+    assert.equal(new Set(pins.map(({ name }) => name)).size, 2);
+    assert.deepEqual(open(linkOf({ ...plain, pins }, experiment)).opened.pins, pins);
+  }
 });
 
 test('every angle may be in degrees', () => {
