@@ -15,7 +15,7 @@ import { createLanguageSwitch } from './language-switch.js';
 import { inLanguage, withExercise } from './link.js';
 import { keepLeft, takeLeft, takeWork } from './reload.js';
 import { isEmpty } from '../run/exercise.js';
-import { asked, caughtUp, noTrial } from '../run/state.js';
+import { asked, caughtUp, noTrial, trialIn } from '../run/state.js';
 import { mostOfWho } from '../run/variant.js';
 import { link as words } from '../words/index.js';
 import { language, languageOfAddress } from '../words/language.js';
@@ -38,6 +38,9 @@ function goOnAs({ pace, until, speed, draft }, actions) {
 function createLinkTo({ engine, store, links, firstPage }) {
   const linkFor = (/** @type {State} */ state, to = language) =>
     links.linkOf(caughtUp(state), engine.experiment, to);
+  /** What a press tries. @param {State} state @param {string} name */
+  const trialThere = ({ page, trial, tried }, name) =>
+    name === page ? trial : trialIn(links.places, name, null, tried);
   return {
     linkFor,
     /** The link of what is asked for by now. @param {string | null} written The address, which is what is being opened, if something is. */
@@ -49,7 +52,7 @@ function createLinkTo({ engine, store, links, firstPage }) {
     wayTo: (state, name) =>
       name === 'lesson'
         ? withExercise(links.linkOfStep(state.lastStep), state, engine.experiment)
-        : linkFor({ ...state, page: name, lesson: 0 }),
+        : linkFor({ ...state, page: name, lesson: 0, trial: trialThere(state, name) }),
   };
 }
 

@@ -149,6 +149,7 @@ export function createLinks({ pages, places, keys: partKeys, mend, lesson }) {
 
   return {
     pages,
+    places,
     keys,
     linkOf,
     openLink,

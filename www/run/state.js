@@ -1,6 +1,7 @@
 // The one state of a run: plain values, of which everything on screen is a function.
 /** @import { Experiment, Individual, Posture, Preset, Statistics, Triple } from '../core/engine.js' */
 /** @import { Box } from '../kit/transform.js' */
+/** @import { Places } from './actions/basis.js' */
 /** @import { Exercise, MakerState } from './exercise.js' */
 /** @import { Until } from './pace.js' */
 /** @import { Driven, Pins } from './pins.js' */
@@ -70,6 +71,12 @@ export const presets = ['velocity-limits', 'acceleration-limits'];
 
 /** @type {Trial} */
 export const noTrial = Object.freeze({ start: null, disturbance: null });
+
+/** What a part that is opened tries. @param {Pick<Places, 'triesStarts' | 'triesDisturbance'>} places @param {string} page @param {Posture | null} start @param {Disturbance} tried @returns {Trial} */
+export function trialIn({ triesStarts, triesDisturbance }, page, start, tried) {
+  if (triesDisturbance(page)) return { start, disturbance: tried };
+  return start && triesStarts(page) ? { start, disturbance: null } : noTrial;
+}
 
 /** Outside of the lesson, of a run in which nothing has been done yet. @type {Readonly<Pick<State, 'lesson' | 'generation' | 'driver' | 'handGains' | 'found' | 'trial'>>} */
 export const nothingDone = Object.freeze({

@@ -1,6 +1,7 @@
 // What the address bar says, and what it opens.
 import assert from 'node:assert/strict';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { pageNames } from '../../../www/parts/parts.js';
 import { holdWorkers } from '../harness/workers.js';
 import { evolve, experiment, paperGains, shown, shownGains, simulate } from '../harness/core.js';
 import { read, readEvolution } from '../harness/reading.js';
@@ -62,6 +63,32 @@ pageTest('back leads to the start, and to what pushes, that were tried there', a
       (link) => document.body.dataset.open === /\w+/.exec(link)?.[0] && location.hash === link,
       tried,
     );
+  }
+});
+
+pageTest('from every part each link at the head leads where a press leads', async (page) => {
+  const wayTo = (/** @type {string} */ name) =>
+    page.evaluate((name) => document.getElementById(`page-${name}`)?.getAttribute('href') ?? '', name);
+  for (const from of pageNames) {
+    let own = `#${from}&v=1&generation=2&gains=3,1,5&under=random,0.3,0.2,3&from=1,1,0deg`;
+    if (from === pageNames[0]) await page.open(own);
+    for (const name of [...pageNames, 'lesson']) {
+      await page.evaluate((own) => {
+        location.hash = own;
+      }, own);
+      // As the page writes it.
+      own = await page.until(
+        `all is of ${from}`,
+        (from) =>
+          document.body.dataset.open === from &&
+          document.getElementById(`page-${from}`)?.getAttribute('href') === location.hash &&
+          location.hash,
+        from,
+      );
+      const link = await wayTo(name);
+      await page.click(`#page-${name}`);
+      await page.until(`${from}: ${link} is open`, (link) => location.hash === link, link);
+    }
   }
 });
 

@@ -1,13 +1,13 @@
 // Which part of the page is open, what stands beside it, and what a link opens.
 /** @import { MakerState } from '../exercise.js' */
-/** @import { Disturbance, State } from '../state.js' */
+/** @import { State } from '../state.js' */
 /** @import { Basis } from './basis.js' */
 import { isHiddenWithPaper, noExercise, shownExercise, wayOf, workId } from '../exercise.js';
 import { noErrors } from '../first.js';
 import { isFree } from '../guard.js';
 import { playsPhases } from '../pace.js';
 import { preparedAs } from '../prepared.js';
-import { asked, endsOf, newWork, noTrial, spentOf } from '../state.js';
+import { asked, endsOf, newWork, noTrial, spentOf, trialIn } from '../state.js';
 import { afterHand, noVersions } from '../undo.js';
 import { drawnFor } from '../variant.js';
 
@@ -18,14 +18,13 @@ import { drawnFor } from '../variant.js';
 export const createOpenPage =
   ({ store, places, shown, refitBox }) =>
   (/** @type {string} */ page) => {
-    const { page: before, trial, tried } = store.get();
-    if (page === before) return;
-    if (places.triesDisturbance(page))
-      store.update({ page, trial: { start: null, disturbance: tried }, robot: shown() });
-    else store.update({ page, trial: noTrial });
+    const before = store.get();
+    if (page === before.page) return;
+    const trial = trialIn(places, page, null, before.tried);
+    store.update({ page, trial, ...(trial !== noTrial && { robot: shown() }) });
     // Phases that nobody sees need not be played.
     if (page !== places.phases && playsPhases(store.get())) store.update({ evolving: false });
-    if (trial !== noTrial) refitBox();
+    if (before.trial !== noTrial) refitBox();
   };
 
 /** Whether others’ gains take the place of those that drive by hand. @param {State} before @param {Pick<LinkedRun, 'driver' | 'handGains'>} run */
@@ -67,11 +66,6 @@ export function createOpening(basis, catchUp) {
   let isFirst = true;
   /** Each exercise as it was left, not a step of the lesson meanwhile. @type {Map<string, State>} */
   const left = new Map();
-  /** What the part that is opened tries of it. @param {Pick<LinkedRun, 'page' | 'trial'>} run @param {Disturbance} tried */
-  const trialOf = ({ page, trial }, tried) => {
-    if (places.triesDisturbance(page)) return { ...trial, disturbance: tried };
-    return places.triesStarts(page) && trial.start ? { ...noTrial, start: trial.start } : noTrial;
-  };
 
   return {
     /**
@@ -96,7 +90,7 @@ export function createOpening(basis, catchUp) {
           lastStep: run.lesson || before.lastStep,
           gainErrors: noErrors,
           work: workOf(left.get(workId(run)), { ...run, experiment }, generation),
-          trial: trialOf(run, tried),
+          trial: trialIn(places, run.page, run.trial.start, tried),
           tried,
           slices: { ...before.slices, ...Object.fromEntries(slices) },
           robot: shown(),
