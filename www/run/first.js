@@ -9,6 +9,9 @@ import { newWork, nothingDone } from './state.js';
 import { noVersions } from './undo.js';
 import { nobody } from './variant.js';
 
+/** @type {State['tried']} */
+export const usualTried = { kind: 'slip', linear: 0.1, angular: 0.2, seed: 1 };
+
 export const noErrors = /** @type {const} */ (['', '', '']);
 
 /** @param {Engine} engine @param {Preset} preset @param {RobotClock} robot @returns {State} */
@@ -31,7 +34,7 @@ export function firstState(engine, preset, robot) {
     untilError: '',
     restart: 'begin',
     gainErrors: noErrors,
-    tried: { kind: 'slip', linear: 0.1, angular: 0.2, seed: 1 },
+    tried: usualTried,
     pins: noPins,
     unpinned: null,
     settings: { open: false, error: null },

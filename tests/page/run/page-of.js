@@ -22,5 +22,5 @@ export function pageOf(link, clock = atRest) {
     actions.evolve(() => store.get().catchingUp !== null);
   };
   open(link);
-  return { store, actions, open };
+  return { engine, store, actions, open };
 }

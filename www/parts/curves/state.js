@@ -10,4 +10,5 @@ export const scales = /** @type {const} */ (['linear', 'log']);
 export const curvesSlice = createSlice(
   'curves',
   /** @type {CurvesState} */ ({ view: 'time', scale: 'linear', message: '' }),
+  ['message'],
 );

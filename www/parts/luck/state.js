@@ -45,7 +45,7 @@ export const luckSlice = createSlice(
     cancelled: false,
     message: '',
   },
-  ['targetError', 'reading', 'until', 'only', 'draw'],
+  ['targetError', 'reading', 'until', 'only', 'draw', 'contestMessage', 'cancelled', 'message'],
   ['contest', 'result', 'chosen'],
   ({ wanted, contestRuns, seedsWanted, progress }) => ({
     wanted: wanted || contestRuns,

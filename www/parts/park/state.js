@@ -33,7 +33,7 @@ const slice = createSlice(
     /** Where they ended before evolution came to its end. @type {Triple} */ endsBefore: [12, 12, 12],
     message: '',
   },
-  [],
+  ['message'],
   ['gains', 'best', 'bred', 'evolving', 'seed', 'ends', 'endsBefore'],
 );
 

@@ -26,7 +26,7 @@ export const trainingSlice = createSlice(
     wanted: null,
     /** Gains by hand, kept while a row of the table drives. @type {Triple | null} */ byHand: null,
   },
-  [],
+  ['chosen', 'cancelled'],
   ['chosen', 'evolved', 'spread', 'byHand'],
   ({ wanted, begun, progress }) => ({ wanted: wanted ?? (progress === null ? null : begun) }),
 );

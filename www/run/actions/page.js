@@ -3,7 +3,7 @@
 /** @import { State } from '../state.js' */
 /** @import { Basis } from './basis.js' */
 import { isHiddenWithPaper, noExercise, shownExercise, wayOf, workId } from '../exercise.js';
-import { noErrors } from '../first.js';
+import { noErrors, usualTried } from '../first.js';
 import { isFree } from '../guard.js';
 import { playsPhases } from '../pace.js';
 import { preparedAs } from '../prepared.js';
@@ -82,13 +82,15 @@ export function createOpening(basis, catchUp) {
         const id = workId(before);
         if (id && !before.student.handin && (before.lesson === 0 || left.get(id)?.lesson !== 0))
           left.set(id, before);
-        const tried = run.trial.disturbance ?? before.tried;
+        const kept = places.triesDisturbance(run.page) ? usualTried : before.tried;
+        const tried = run.trial.disturbance ?? kept;
         const slices = places.slices.map((slice) => [slice.name, slice.opened(before, parts[slice.name])]);
         /** @type {Partial<State>} */
         const patch = {
           ...run,
           lastStep: run.lesson || before.lastStep,
           gainErrors: noErrors,
+          untilError: '',
           work: workOf(left.get(workId(run)), { ...run, experiment }, generation),
           trial: trialIn(places, run.page, run.trial.start, tried),
           tried,
