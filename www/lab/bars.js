@@ -69,7 +69,9 @@ export function createEvolutionBar(root, actions) {
       if (!changed(...Object.values(model))) return;
       if (!model.untilError) kind = model.until.kind;
       shown = model.generation;
-      render(evolutionBar({ ...model, kind }, actions, on), root);
+      // What was refused stays until the refusal has gone.
+      const typed = model.untilError ? untilValue().value : null;
+      render(evolutionBar({ ...model, kind, typed }, actions, on), root);
     },
   };
 }
@@ -86,9 +88,9 @@ export function createPauseButton(button, { pauseEvolution }) {
   };
 }
 
-/** @param {EvolutionBarModel & { kind: Until['kind'] }} model @param {Actions} actions @param {{ onKind: (chosen: Until['kind']) => void, onValue: () => void }} on */
+/** @param {EvolutionBarModel & { kind: Until['kind'], typed: string | null }} model @param {Actions} actions @param {{ onKind: (chosen: Until['kind']) => void, onValue: () => void }} on */
 function evolutionBar(model, actions, { onKind, onValue }) {
-  const { open, isMain, evolving, timeline, newest, pace, kind, until, untilError, note } = model;
+  const { open, isMain, evolving, timeline, newest, pace, kind, until, untilError, typed, note } = model;
   const isElsewhere = open !== 'lab';
   const end = Math.max(1, newest);
   return html`
@@ -113,7 +115,7 @@ function evolutionBar(model, actions, { onKind, onValue }) {
         ${selectOf('until', texts.until, strings.untils, kind, onKind)}
         <input id="until-value" type="text" inputmode="decimal" autocomplete="off" spellcheck="false"
           aria-label=${texts.untilValue} aria-describedby="until-error" aria-invalid=${String(untilError !== '')}
-          .value=${until.kind === 'every' ? '' : String(until.value)} .hidden=${kind === 'every'} @change=${onValue}
+          .value=${typed ?? (until.kind === 'every' ? '' : String(until.value))} .hidden=${kind === 'every'} @change=${onValue}
           @focus=${selectAll}>
       </div>
     </fieldset>

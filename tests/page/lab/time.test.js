@@ -104,6 +104,18 @@ pageTest(
     await page.press('x', Key.ENTER);
     const message = await page.until('it says why', () => document.getElementById('until-error')?.innerText);
     assert.match(message, /generation.*whole number from 1.*x/);
+    // A link that is opened over it takes away both.
+    await page.evaluate(() => {
+      location.hash = 'lab&v=1&seed=3';
+    });
+    await page.until(
+      'the message is gone',
+      () =>
+        document.getElementById('until-error')?.hidden &&
+        /^\d+$/.test(/** @type {HTMLInputElement} */ (document.getElementById('until-value')).value),
+    );
+    await page.press('x', Key.ENTER);
+    await page.until('it says why again', () => document.getElementById('until-error')?.innerText);
     await choose(page, 'until', 'pause every 100');
     await page.until('the message is gone', () => document.getElementById('until-error')?.hidden);
   },
