@@ -14,9 +14,8 @@ import {
 } from 'node:fs';
 import { homedir } from 'node:os';
 import { join } from 'node:path';
-import { pathToFileURL } from 'node:url';
 import { tidyGlue } from './glue.mjs';
-import { Failure, lastChange, run, runPackage, step, task, top } from './run.mjs';
+import { Failure, isProgram, lastChange, run, runPackage, step, task, top } from './run.mjs';
 import { installTools } from './tools.mjs';
 
 /** Of the core, and of what stands beside it in pkg/. What stands in src/ in JavaScript goes with it as it is. */
@@ -88,8 +87,10 @@ async function compile() {
 /** Where cargo writes the module. @param {string[]} features */
 async function compiled(...features) {
   const target = ['--target', 'wasm32-unknown-unknown'];
-  await run('cargo', ['build', '--lib', '--release', ...target, ...features, '--config', withoutHome]);
+  const build = ['build', '--lib', '--release', ...target, ...features, '--config', withoutHome];
+  // It has more ways to be told of a folder.
   const folder = process.env.CARGO_TARGET_DIR ?? 'target';
+  await run('cargo', [...build, '--target-dir', folder]);
   return join(folder, target[1], 'release', 'ep_locomotion.wasm');
 }
 
@@ -127,7 +128,7 @@ export const buildSite = () =>
     await runPackage('vite/bin/vite.js', [...build, '--mode', 'element']);
   });
 
-if (import.meta.url === pathToFileURL(process.argv[1]).href) {
+if (isProgram(import.meta.url)) {
   await task(async () => {
     const only = process.argv.slice(2);
     if (only.some((name) => name !== 'core' && name !== 'python')) {

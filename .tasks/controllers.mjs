@@ -3,12 +3,11 @@
 //   node .tasks/controllers.mjs   writes them anew, after npm run build core
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { pathToFileURL } from 'node:url';
 import { createEngine, Evolution, experiment, paperGains, version } from '../www/core/headless.js';
 import { controllerOf } from '../www/share/code/controller.js';
 import { python } from '../www/share/code/python.js';
 import { comments } from '../www/share/code/words/en.js';
-import { top } from './run.mjs';
+import { isProgram, top } from './run.mjs';
 
 /** @typedef {import('../www/core/engine.js').Triple} Triple */
 
@@ -46,5 +45,5 @@ export function controllerFiles() {
   });
 }
 
-if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href)
+if (isProgram(import.meta.url))
   for (const { file, text } of controllerFiles()) writeFileSync(join(folder, file), text);

@@ -3,9 +3,8 @@
 //   node .tasks/examples.mjs   after npm run build
 import { cpSync, existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
-import { pathToFileURL } from 'node:url';
 import { buildBytes } from './build.mjs';
-import { ask, Failure, run, step, task, top } from './run.mjs';
+import { ask, Failure, isProgram, run, step, task, top } from './run.mjs';
 
 const requirements = 'examples/requirements.txt';
 /** Large, and of each machine's own code: where they cannot be had, the optimisers are not tested. */
@@ -41,7 +40,7 @@ export const absentPython = {
 /** A Python that can install packages, or null. */
 export function findPython() {
   const works = 'import sys, venv, ensurepip; assert sys.version_info >= (3, 11)';
-  return ['python3', 'python'].find((name) => ask(name, ['-c', works]) !== null) ?? null;
+  return ['python3', 'python', 'py'].find((name) => ask(name, ['-c', works]) !== null) ?? null;
 }
 
 /** Installs what is missing, and builds the book, neither of which needs the site. @param {string} program */
@@ -87,7 +86,7 @@ export async function finishExamples() {
 /** @param {string[]} args */
 const pip = (...args) => run(python, ['-m', 'pip', '--quiet', '--disable-pip-version-check', ...args]);
 
-if (import.meta.url === pathToFileURL(process.argv[1]).href) {
+if (isProgram(import.meta.url)) {
   await task(async () => {
     const program = findPython();
     if (program === null) throw new Failure(`${absentPython.name} is needed: ${absentPython.hint}`);

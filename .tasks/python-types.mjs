@@ -3,8 +3,7 @@
 //   node .tasks/python-types.mjs   writes them anew
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { pathToFileURL } from 'node:url';
-import { top } from './run.mjs';
+import { isProgram, top } from './run.mjs';
 
 const source = join(top, 'src/wasm/interface.d.ts');
 export const target = join(top, 'python/ep_locomotion/types.py');
@@ -170,4 +169,4 @@ export function pythonTypes() {
   return [head, short.join(''), ...dicts.flatMap(dictOf), ...partialsOf(dicts)].join('\n\n');
 }
 
-if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) writeFileSync(target, pythonTypes());
+if (isProgram(import.meta.url)) writeFileSync(target, pythonTypes());

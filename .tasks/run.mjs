@@ -1,9 +1,9 @@
 // What every task needs: steps with a name and a time, child processes, and failures told in one line.
 import { spawn, spawnSync } from 'node:child_process';
-import { existsSync, readdirSync, statSync } from 'node:fs';
+import { existsSync, readdirSync, realpathSync, statSync } from 'node:fs';
 import { setPriority } from 'node:os';
-import { basename, join } from 'node:path';
-import { fileURLToPath } from 'node:url';
+import { basename, dirname, join } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 
 /** The folder that holds package.json. */
 export const top = fileURLToPath(new URL('..', import.meta.url));
@@ -115,9 +115,14 @@ export const runPackage = (file, args, options) =>
  * @param {Parameters<typeof run>[2]} [options]
  */
 export function npm(args, options) {
-  const program = process.env.npm_execpath;
+  const beside = join(dirname(process.execPath), 'node_modules/npm/bin/npm-cli.js');
+  const program = process.env.npm_execpath ?? (process.platform === 'win32' ? beside : null);
   return program ? run(process.execPath, [program, ...args], options) : run('npm', args, options);
 }
+
+/** Whether this file is what Node was told to run, by whichever way to it. @param {string} url */
+export const isProgram = (url) =>
+  process.argv[1] !== undefined && pathToFileURL(realpathSync(process.argv[1])).href === url;
 
 /** What a program prints, or null if it is absent or fails. @param {string} program @param {string[]} args */
 export function ask(program, args) {

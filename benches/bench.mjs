@@ -21,7 +21,8 @@ const top = fileURLToPath(new URL('..', import.meta.url));
 const cargo = (/** @type {string[]} */ ...args) =>
   execFileSync('cargo', args, { cwd: top, encoding: 'utf8', stdio: ['ignore', 'pipe', 'inherit'] });
 
-cargo('build', '--release', '--target', 'wasm32-unknown-unknown', '--example', 'bench_wasm');
+const target = ['--target', 'wasm32-unknown-unknown', '--target-dir', 'target'];
+cargo('build', '--release', ...target, '--example', 'bench_wasm');
 const built = 'target/wasm32-unknown-unknown/release/examples/bench_wasm.wasm';
 copyFileSync(`${top}/${built}`, `${top}/target/bench.wasm`);
 await optimise('target/bench.wasm');

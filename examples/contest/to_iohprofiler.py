@@ -51,6 +51,12 @@ def asked(arguments):
     return contestants, Path(folder), int(budget)
 
 
+def write_text(path, text):
+    """The same bytes on every system."""
+    with open(path, "w", encoding="utf-8", newline="\n") as file:
+        file.write(text)
+
+
 def write(contestant, runs, folder, budget):
     """A contestant's folder: what it is, and a block of rows for each run."""
     data = folder / contestant / "data_f1"
@@ -62,7 +68,7 @@ def write(contestant, runs, folder, budget):
         # So that a run which has long stood still counts with all that it drove.
         if falls[-1][0] < budget:
             lines.append(f"{budget} {falls[-1][1]}")
-    (folder / contestant / path).write_text("\n".join(lines) + "\n", encoding="utf-8")
+    write_text(folder / contestant / path, "\n".join(lines) + "\n")
     told = {
         "version": "0.3.18",
         "suite": "ep-locomotion",
@@ -86,8 +92,7 @@ def write(contestant, runs, folder, budget):
             }
         ],
     }
-    name = folder / contestant / "IOHprofiler_f1_J.json"
-    name.write_text(json.dumps(told, indent=1), encoding="utf-8")
+    write_text(folder / contestant / "IOHprofiler_f1_J.json", json.dumps(told, indent=1))
 
 
 def aligned(runs, budget):

@@ -6,6 +6,7 @@
 """
 
 import argparse
+import glob
 import math
 import pathlib
 import types
@@ -102,10 +103,13 @@ def picture(drives):
 def main():
     parser = argparse.ArgumentParser(description="Parks a robot in MuJoCo by controllers that the page exported.")
     parser.add_argument("--picture", help="where to draw the paths, as SVG")
-    parser.add_argument("controllers", nargs="+", type=pathlib.Path)
+    parser.add_argument("controllers", nargs="+")
     asked = parser.parse_args()
+    # Not every shell puts names in the place of * and ~.
+    given = [str(pathlib.Path(one).expanduser()) for one in asked.controllers]
+    paths = [pathlib.Path(path) for one in given for path in sorted(glob.glob(one)) or [one]]
     drives = []
-    for path in asked.controllers:
+    for path in paths:
         controller = load(path)
         if not hasattr(controller, "POSITION"):
             raise SystemExit(f"{path.name} follows a goal that moves, and never parks.")

@@ -49,6 +49,9 @@ export function findProgram(candidates) {
   return places.find((place) => existsSync(place)) ?? null;
 }
 
+/** By which names a Python goes. */
+export const pythons = ['python3', 'python', 'py'];
+
 /** A path below each of the folders where Windows keeps programs. @param {string} path */
 const inProgramFiles = (path) =>
   [env.PROGRAMFILES, env['PROGRAMFILES(X86)'], env.LOCALAPPDATA]

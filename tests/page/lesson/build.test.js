@@ -10,7 +10,7 @@ import { build as ko } from '../../../www/lesson/words/ko/build.js';
 import { pathLength, stepNames } from '../../../www/lesson/path.js';
 import { titles } from '../../../www/words/en/lesson.js';
 import { phases } from '../../../www/parts/generation/state.js';
-import { findProgram } from '../harness/engines.js';
+import { findProgram, pythons } from '../harness/engines.js';
 import { pageTest } from '../harness/browsers.js';
 import { experiment, lawTerms, paper, paperGains, simulate } from '../harness/core.js';
 import { questionsOf } from '../../../www/lesson/views/predictions.js';
@@ -47,7 +47,7 @@ function agrees([cost, time, other, otherTime, ...evolved]) {
 test('the file in JavaScript drives and evolves as the core does', () =>
   agrees(printedBy(process.execPath, 'park.mjs')));
 
-const python = findProgram(['python3', 'python']);
+const python = findProgram(pythons);
 test(
   'the file in Python drives and evolves as the core does',
   { skip: !python && 'there is no Python' },

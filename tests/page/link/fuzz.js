@@ -5,9 +5,9 @@
 // What has once failed belongs into corpus/, with which every test begins and from which half of the texts are bred.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { pathToFileURL } from 'node:url';
 import { isDeepStrictEqual } from 'node:util';
 import fc from 'fast-check';
+import { isProgram } from '../../../.tasks/run.mjs';
 import { openRunFile, runFile } from '../../../www/share/run-file.js';
 import { links as pageLinks } from '../../../www/lesson/links.js';
 import { mostCharacters } from '../../../www/link/link.js';
@@ -184,7 +184,7 @@ export async function fuzz(count, seed) {
   assert.deepEqual(openLink('', engine), usual);
 }
 
-if (import.meta.url === pathToFileURL(process.argv[1]).href) {
+if (isProgram(import.meta.url)) {
   const [count, seed] = [process.argv[2] ?? 100_000, process.argv[3] ?? Date.now() % 2 ** 31].map(Number);
   console.log(`${count} links, ${Math.ceil(count / 100)} experiments and files, seed ${seed}`);
   const start = performance.now();

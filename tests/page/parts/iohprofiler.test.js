@@ -7,11 +7,11 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { costAt } from '../../../www/parts/luck/contest-statistics.js';
 import { contestCsv } from '../../../www/parts/luck/contest-summary.js';
-import { findProgram } from '../harness/engines.js';
+import { findProgram, pythons } from '../harness/engines.js';
 import { test } from '../harness/once.js';
 import { small } from './contests.js';
 
-const python = findProgram(['python3', 'python']);
+const python = findProgram(pythons);
 const needsPython = { skip: !python && 'there is no Python' };
 const program = fileURLToPath(new URL('../../../examples/contest/to_iohprofiler.py', import.meta.url));
 
@@ -112,12 +112,12 @@ test('the example for IOHprofiler says in a sentence what is wrong with how it i
   try {
     const usage = /^usage: python to_iohprofiler\.py contest\.csv contest-ioh 4000\n$/;
     const noContest =
-      /^\S+ is not the CSV of a contest, which has the columns contestant, seed, drive and J\.\n$/;
+      /^.+ is not the CSV of a contest, which has the columns contestant, seed, drive and J\.\n$/;
     for (const [csv, given, said] of /** @type {const} */ ([
       ['', [], usage],
       ['', [wrong], usage],
       ['', [wrong, 'ioh', 'many'], usage],
-      ['', [join(folder, 'absent.csv'), 'ioh', '4000'], /^\S+absent\.csv cannot be read: .+\.\n$/],
+      ['', [join(folder, 'absent.csv'), 'ioh', '4000'], /^.+absent\.csv cannot be read: .+\.\n$/],
       ['', [wrong, 'ioh', '4000'], noContest],
       ['generation,best\n1,2\n', [wrong, 'ioh', '4000'], noContest],
       ['contestant,seed,drive,J\nlab,1,one,9\n', [wrong, 'ioh', '4000'], noContest],
@@ -134,7 +134,7 @@ test('the example for IOHprofiler says in a sentence what is wrong with how it i
         encoding: 'utf8',
       });
       assert.equal(status, 1);
-      assert.match(stderr, said);
+      assert.match(stderr.replaceAll('\r', ''), said);
     }
   } finally {
     rmSync(folder, { recursive: true });

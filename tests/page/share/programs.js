@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { languages } from '../../../www/share/code/languages.js';
-import { findProgram } from '../harness/engines.js';
+import { findProgram, pythons } from '../harness/engines.js';
 
 /** @typedef {import('../../../www/share/code/controller.js').Controller} Controller */
 /** @typedef {import('../../../www/share/code/languages.js').LanguageName} LanguageName */
@@ -13,7 +13,7 @@ import { findProgram } from '../harness/engines.js';
 /** What a program came to: t_f, J, x, y, θ. @typedef {readonly number[]} Numbers */
 /** @typedef {{ name: string, text: string }} Program */
 
-const python = findProgram(['python3', 'python']);
+const python = findProgram(pythons);
 const compiler = findProgram(['cc', 'gcc', 'clang']);
 const octave = findProgram(['octave-cli', 'octave']);
 
