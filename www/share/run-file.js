@@ -16,6 +16,12 @@ const mostCharacters = 50_000_000;
 
 /** What drives on screen, and the J that it comes to from there. @typedef {{ gains: Triple, cost: number }} Drive */
 
+/** What is driven: with what is tried, and from the first start alone. @param {Pick<Linked, 'experiment' | 'trial'>} state @returns {Experiment} */
+function drivenIn({ experiment, trial }) {
+  const driven = tried(experiment, trial);
+  return { ...driven, starts: driven.starts.slice(0, 1) };
+}
+
 /** @param {Linked & { history: Statistics[] }} state @param {Engine} engine @param {Links} links @param {Drive} [drive] If the link alone says whose it is. */
 export function runFile(state, engine, links, drive) {
   const newest = state.history.length - 1;
@@ -26,7 +32,7 @@ export function runFile(state, engine, links, drive) {
     link: links.linkOf(state, engine.experiment),
     hash: engine.hash(),
     generations: newest,
-    drive,
+    drive: drive && { ...drive, experiment: drivenIn(state) },
     experiment: state.experiment,
     statistics: state.history,
   };
@@ -85,10 +91,12 @@ async function checkDrive(told, { experiment, trial, ...run }, leader, engine, s
   const gains = gainsOf({ ...run, population: leader ? [leader] : [] }, run.driver, engine.paper());
   const [said, found] = [told.gains, gains].map((one) => JSON.stringify(one));
   if (said !== found) throw new Error(words.otherGains(said, found));
-  const driven = tried(experiment, trial);
-  const alone = { ...driven, starts: driven.starts.slice(0, 1) };
+  const alone = drivenIn({ experiment, trial });
   const [cost] = await engine.surveys.costs([[alone, gains]], { signal });
   if (!cameTo(told.cost, cost)) throw new Error(words.otherCost(JSON.stringify(told.cost), cost));
+  // Older files do not have it.
+  if (told.experiment !== undefined && !isSame(told.experiment, engine.experiment(alone), engine))
+    throw new Error(words.changedFile('drive.experiment'));
 }
 
 /** Also where the file was written before some field was there. @param {any} told @param {Experiment} found @param {Engine} engine */

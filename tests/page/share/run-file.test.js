@@ -2,7 +2,8 @@ import assert from 'node:assert/strict';
 import { openRunFile, runFile, textOfRun } from '../../../www/share/run-file.js';
 import { links } from '../../../www/lesson/links.js';
 import { lastGeneration } from '../../../www/run/pace.js';
-import { Evolution, experiment, paper, simulateAll } from '../harness/core.js';
+import { withDisturbance } from '../../../www/run/scene.js';
+import { evaluate, Evolution, experiment, paper, simulateAll } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { evolved } from './evolved.js';
 
@@ -29,6 +30,7 @@ test('the drive comes out as it was saved, whoever drives, and from wherever a p
   const starts = [velocityLimits.starts[0], { x: -1, y: 0, theta: 0 }];
   const { engine, state } = evolved(experiment({ starts, evolution: { population: 8 } }), 4);
   const start = { x: -1.5, y: 1, theta: 1 };
+  const slip = /** @type {const} */ ({ kind: 'slip', linear: 0.1, angular: 0.2, seed: 1 });
   const hand = /** @type {const} */ ([3.0594, 0.0001, 4.1385]);
   const ep = paper().find((row) => row.preset === 'velocity-limits' && row.method === 'ep');
   const rows = [
@@ -48,11 +50,20 @@ test('the drive comes out as it was saved, whoever drives, and from wherever a p
       trial: { start, disturbance: null },
       drive: driveOf({ ...state.experiment, starts: [start] }, state.history[3].best.gains),
     },
+    {
+      ...state,
+      page: 'disturbance',
+      trial: { start: null, disturbance: slip },
+      drive: driveOf({ ...state.experiment, ...withDisturbance(slip) }, state.history[3].best.gains),
+    },
   ];
   for (const { drive, ...row } of rows) {
     const text = runFile(/** @type {Kept} */ (row), engine, links, drive);
     const { hasDrive } = await openRunFile(text, engine, links);
     assert.ok(hasDrive, row.driver);
+    // What a program finds that reads the file, as docs/python.md says.
+    const told = JSON.parse(text).drive;
+    assert.equal(evaluate(told.experiment, told.gains)[0], drive.cost, row.page);
   }
   assert.equal((await openRunFile(runFile(state, engine, links), engine, links)).hasDrive, false);
 });
@@ -95,7 +106,11 @@ test('a file whose drive is another than it says is refused', async () => {
     [{ drive: { ...good.drive, cost: null } }, /J of its drive is null, but/],
     [{ drive: { ...good.drive, gains: [1, 2, { toString: 1 }] } }, /with the gains/],
     [{ drive: null }, /drive/],
+    [{ drive: { ...good.drive, experiment: experiment({ horizon: 9 }) } }, /drive\.experiment in it is not/],
   ]);
+  // As older versions of the page wrote it.
+  const { experiment: _, ...old } = good.drive;
+  assert.ok((await openRunFile(JSON.stringify({ ...good, drive: old }), engine, links)).hasDrive);
   for (const [change, reason] of rows)
     await assert.rejects(openRunFile(JSON.stringify({ ...good, ...change }), engine, links), {
       message: reason,
