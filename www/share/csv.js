@@ -1,5 +1,5 @@
 // A run as tables for other programs. Headers carry the units; numbers have all their digits.
-/** @import { Experiment, Run, Stability, Statistics, Triple } from '../core/engine.js' */
+/** @import { Experiment, Posture, Run, Stability, Statistics, Triple } from '../core/engine.js' */
 /** @import { State } from '../run/state.js' */
 import { gainUnits } from '../core/rules.js';
 
@@ -27,17 +27,26 @@ export function generationsCsv({ history, experiment: { law } }, origin) {
 }
 
 /** What a drive follows from and what it came to, so that its table can be read by itself. @param {Experiment} experiment @param {Triple} gains @param {Run} run @returns {Origin} */
-export function driveOrigin({ law, goal, limits, disturbance }, [kx, ky, ktheta], run) {
+export function driveOrigin(experiment, [kx, ky, ktheta], run) {
+  const { law, starts, goal, referenceVelocity, limits, tolerance, weights, disturbance } = experiment;
   const limit = (/** @type {number | null} */ value, /** @type {string} */ unit) =>
     value === null ? 'none' : `${value} ${unit}`;
   const [x, y, theta] = gainUnits[law];
+  const { kind, linear, angular, seed } = disturbance;
+  const disturbed =
+    kind === 'none' ? '' : ` ${linear} m/s, ${angular} rad/s${kind === 'random' ? `, seed ${seed}` : ''}`;
   return [
     `law ${law}; kx = ${kx} ${x}, ky = ${ky} ${y}, ktheta = ${ktheta} ${theta}`,
-    `goal x = ${goal.x} m, y = ${goal.y} m, theta = ${goal.theta} rad`,
-    `limits: speed ${limit(limits.speed, 'm/s')}, turn rate ${limit(limits.turnRate, 'rad/s')}, acceleration ${limit(limits.acceleration, 'm/s^2')}, turn acceleration ${limit(limits.turnAcceleration, 'rad/s^2')}; disturbance ${disturbance.kind}`,
+    `start ${postureOf(starts[0])}${starts.length > 1 ? `, the first of ${starts.length}: of it alone are the drive and its J` : ''}`,
+    `goal ${postureOf(goal)}; reference v_r = ${referenceVelocity.linear} m/s, omega_r = ${referenceVelocity.angular} rad/s`,
+    `limits: speed ${limit(limits.speed, 'm/s')}, turn rate ${limit(limits.turnRate, 'rad/s')}, acceleration ${limit(limits.acceleration, 'm/s^2')}, turn acceleration ${limit(limits.turnAcceleration, 'rad/s^2')}; disturbance ${kind}${disturbed}`,
+    `sample time ${experiment.sampleTime} s, horizon ${experiment.horizon} s; tolerance: position ${tolerance.position} m, heading ${tolerance.heading} rad, speed ${limit(tolerance.speed, 'm/s')}, turn rate ${limit(tolerance.turnRate, 'rad/s')}`,
+    `weights of J: W ${weights.final.join(' ')}, R ${weights.velocity.join(' ')}, kappa ${weights.penalty}`,
     `J = ${run.cost.total}; t_f = ${run.finalTime} s; ${run.outcome}`,
   ];
 }
+
+const postureOf = (/** @type {Posture} */ { x, y, theta }) => `x = ${x} m, y = ${y} m, theta = ${theta} rad`;
 
 /** @param {Run} run @param {Stability} stability Of the same run. @param {Origin} origin */
 export const driveCsv = (run, stability, origin) =>

@@ -52,16 +52,35 @@ test('the tables have units in their headers and every digit of the numbers', ()
 });
 
 test('the table of a drive says what it follows from, with every digit, in lines that readers of tables skip', () => {
-  const from = experiment({ goal: { x: 1 / 3, y: 2, theta: 0.1 }, limits: { speed: null } });
+  const from = experiment({
+    starts: [
+      { x: 0.5, y: 0, theta: 0.27 },
+      { x: -1, y: 0, theta: 0 },
+    ],
+    goal: { x: 1 / 3, y: 2, theta: 0.1 },
+    limits: { speed: null },
+    referenceVelocity: { linear: 0.11, angular: 0.23 },
+    sampleTime: 0.013,
+    horizon: 3.7,
+    tolerance: { heading: 0.057 },
+    weights: { velocity: [0.3, 0.71] },
+    disturbance: { kind: 'random', linear: 0.019, angular: 0.083, seed: 4711 },
+  });
   const gains = /** @type {[number, number, number]} */ ([Math.PI, 1e-7, 5]);
   const run = simulate(from, gains);
   const lines = driveCsv(run, stability(from, gains), driveOrigin(from, gains, run)).split('\r\n');
   const head = lines.filter((line) => line.startsWith('# ')).join('\n');
-  for (const value of [...gains, from.goal.x, from.limits.turnRate, run.cost.total, run.finalTime])
+  const { weights, tolerance, disturbance } = from;
+  for (const value of [
+    ...[...gains, from.goal.x, from.limits.turnRate, run.cost.total, run.finalTime],
+    ...[from.starts[0].theta, from.referenceVelocity.angular, from.sampleTime, from.horizon],
+    ...[tolerance.heading, weights.velocity[1], disturbance.linear, disturbance.angular, disturbance.seed],
+  ])
     assert.ok(head.includes(String(value)), `${value} is missing: ${head}`);
   assert.match(
     head,
-    /shim-kim; kx = .* 1\/s, ky = .* 1\/\(m\^2 s\), ktheta = 5 rad\/s\n.*\n.*speed none.*\n.*(arrived|horizon)/,
+    /shim-kim; kx = .* 1\/s, ky = .* 1\/\(m\^2 s\), ktheta = 5 rad\/s\n.*\n.*\n.*speed none.*\n.*\n.*\n.*(arrived|horizon)/,
   );
-  assert.equal(lines.length, 4 + 1 + run.time.length + 1);
+  assert.equal(lines.length, 7 + 1 + run.time.length + 1);
+  assert.match(head, /start x = 0\.5 m, .*, the first of 2: of it alone are the drive and its J\n/);
 });
