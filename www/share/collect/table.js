@@ -144,7 +144,7 @@ const withoutFormula = (text) => (negative.test(text) ? text : text.replace(sign
 
 /** What a row has in a column of the file, if it has anything. @typedef {readonly [head: string, cellOf: (row: Row) => string | number | null | undefined]} CsvColumn */
 
-/** For the gradebook: the columns by which the learning platform knows its students stand first. No cell is a formula. @param {readonly Row[]} rows @param {string} page The address of this page. */
+/** For the gradebook: after the name stand the columns by which the learning platform knows its students. No cell is a formula. @param {readonly Row[]} rows @param {string} page The address of this page. */
 export function csvOf(rows, page) {
   const names = [...new Set(rows.flatMap(({ entry }) => Object.keys(entry.ident)))];
   /** @type {readonly CsvColumn[]} */

@@ -18,7 +18,7 @@ export const fitnessColumns = [
   'drives',
   'best J',
   'median J',
-  'highest J',
+  'worst J',
   'mean σx',
   'mean σy',
   'mean σθ',
