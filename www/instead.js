@@ -22,8 +22,14 @@ function reasonOf(error) {
 /** Out of the document, for an exercise may hide what it tells; should the page fail on its last steps, it is wanted again. */
 const taken = document.createDocumentFragment();
 
-/** The robots drive. */
-export const takeInstead = () => taken.append(byId('instead'));
+/** The robots drive. In its place stands, for a browser that saves the page, what its copy is: a shadow that is not saved covers it. */
+export function takeInstead() {
+  const page = create('a', { href: location.href }, document.title);
+  const copy = create('div', { id: 'copy' }, create('p', 'message', words.copy, ' ', page));
+  copy.attachShadow({ mode: 'open' });
+  byId('instead').before(copy);
+  taken.append(byId('instead'));
+}
 
 /** Says why they do not, and keeps what there is to read. @param {unknown} error @returns {string} what it says */
 export function showInstead(error) {

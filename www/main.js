@@ -8,6 +8,7 @@ sayLoading();
 load()
   .then(() => import('./page.js'))
   .then(({ begin }) => {
-    begin();
+    // A copy that a browser has saved says what it is.
+    if (!document.getElementById('copy')) begin();
   })
   .catch(console.error);

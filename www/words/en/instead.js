@@ -17,6 +17,10 @@ export const reasons = {
 /** @param {string} message */
 export const notLoaded = (message) => `a part of the page could not be loaded (${message}).`;
 
+/** Before a link to the page. */
+export const copy =
+  'A browser saved this copy: nothing in it works. Download ep-locomotion.html, or open the page:';
+
 export const stopped =
   'An error within the program has stopped it. Please reload the page: its address brings back what was on screen.';
 

@@ -17,6 +17,10 @@ export const reasons = {
 /** @param {string} message */
 export const notLoaded = (message) => `페이지의 일부를 불러오지 못했습니다(${message}).`;
 
+/** Before a link to the page. */
+export const copy =
+  '브라우저가 저장한 사본이라 작동하지 않습니다. ep-locomotion.html을 내려받거나 페이지를 여십시오:';
+
 export const stopped =
   '프로그램 내부 오류로 실행이 멈추었습니다. 페이지를 새로 고치십시오. 주소에 화면의 내용이 담겨 있어 그대로 돌아옵니다.';
 
