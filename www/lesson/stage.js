@@ -42,6 +42,7 @@ export function createStage(tools) {
         block?.leave?.();
         block = stage.create(tools, words.steps[step.name]);
         element.replaceChildren(block.element);
+        element.dataset.drawn = step.name;
       }
     },
 

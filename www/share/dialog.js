@@ -9,6 +9,7 @@ import { whenThere } from '../core/pending.js';
 import { copy } from '../kit/copy.js';
 import { download } from '../kit/download.js';
 import { segmentedOf } from '../kit/fields.js';
+import { digitsOf } from '../kit/hash.js';
 import { selectAll } from '../kit/templates.js';
 import { isEmpty } from '../run/exercise.js';
 import { caughtUp } from '../run/state.js';
@@ -165,7 +166,9 @@ function createSaving(tools, dialog, address, say) {
         const [version, link] = origin();
         const about = { title: picture.name, description: descriptionOf(picture), link, version };
         const content = await write(drawingOf(picture), about);
-        download(`${name()}-${picture.key}.${ending}`, type, content);
+        // Another link is another picture.
+        const what = [picture.key, picture.drawn, digitsOf(link.replace(/^.*?#/, ''))].filter(Boolean);
+        download(`${[name(), ...what].join('-')}.${ending}`, type, content);
       } catch (error) {
         say(words.pictureNotSaved(picture.name, messageOf(error)));
       }

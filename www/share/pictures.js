@@ -3,7 +3,7 @@
 import { marksOf } from './screen.js';
 import words from './words/index.js';
 
-/** @typedef {{ key: string, name: string, elements: HTMLElement[] }} Picture */
+/** @typedef {{ key: string, name: string, drawn: string, elements: HTMLElement[] }} Picture `drawn`: what of it, where it can be one thing or another. */
 
 /** Pixels of paper around. */
 const margin = 12;
@@ -12,19 +12,23 @@ const widestGap = 24;
 
 /** @returns {Picture[]} */
 export function picturesOnScreen() {
-  /** @type {Map<string, HTMLElement[]>} */
+  /** @type {Map<string, Picture>} */
   const found = new Map();
   for (const element of /** @type {NodeListOf<HTMLElement>} */ (
     document.querySelectorAll('[data-picture]')
   )) {
-    const key = element.dataset.picture ?? '';
     const seen = boxesOf(element).filter(isSeen);
-    if (seen.length > 0) found.set(key, [...(found.get(key) ?? []), ...seen]);
+    if (seen.length === 0) continue;
+    const { picture: key = '', name, drawn } = element.dataset;
+    const before = found.get(key) ?? { key, name: words.pictures[key], drawn: '', elements: [] };
+    found.set(key, {
+      key,
+      name: name ?? before.name,
+      drawn: drawn ?? before.drawn,
+      elements: [...before.elements, ...seen],
+    });
   }
-  return [...found].map(([key, elements]) => {
-    const named = elements.find(({ dataset }) => dataset.name);
-    return { key, name: named?.dataset.name ?? words.pictures[key], elements };
-  });
+  return [...found.values()];
 }
 
 /** What stands in its place, where it has no box of its own. @param {HTMLElement} element @returns {HTMLElement[]} */

@@ -1,5 +1,5 @@
 // A drawing as an SVG file: shapes and texts as such, the cells of maps as images, and what made it.
-/** @import { About, Drawing, Gradient, Mark, Paint, Pattern } from './marks.js' */
+/** @import { About, Drawing, Gradient, Mark, Paint, Pattern, Stroke } from './marks.js' */
 import { escaped } from '../kit/markup.js';
 import { isGradient } from './marks.js';
 
@@ -12,7 +12,7 @@ export function svgOf({ width, height, paper, marks }, { title, description, lin
   const place = (/** @type {Mark} */ { matrix }) => attributes({ transform: transformOf(matrix) });
   const write = (/** @type {Mark[]} */ placed) => placed.map((mark) => element(mark, definitions)).join('\n');
   const content = grouped(marks, clip, (clipped) => grouped(clipped, place, write));
-  return `<svg xmlns="http://www.w3.org/2000/svg" ${attributes({ width, height, viewBox: `0 0 ${width} ${height}`, role: 'img', 'stroke-miterlimit': 10 })}>
+  return `<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" ${attributes({ width, height, viewBox: `0 0 ${width} ${height}`, role: 'img', 'stroke-miterlimit': 10 })}>
 <title>${escaped(title)}</title>
 <desc>${escaped(description)}</desc>
 <metadata><rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#" xmlns:dc="http://purl.org/dc/elements/1.1/"><rdf:Description><dc:title>${escaped(title)}</dc:title><dc:creator>${escaped(version)}</dc:creator><dc:source>${escaped(link)}</dc:source></rdf:Description></rdf:RDF></metadata>
@@ -77,21 +77,12 @@ function element(mark, definitions) {
   if (mark.kind === 'image') {
     const [x, y, width, height] = mark.box;
     const rendering = mark.smooth ? null : 'pixelated';
-    return `<image ${attributes({ x, y, width, height, opacity, 'image-rendering': rendering, preserveAspectRatio: 'none', href: mark.source.toDataURL() })}/>`;
+    return `<image ${attributes({ x, y, width, height, opacity, 'image-rendering': rendering, preserveAspectRatio: 'none', ...imageAs(mark.smooth ? mark.source : enlarged(mark.source)) })}/>`;
   }
-  const look = {
-    ...paintAs('fill', fill ?? 'none', definitions),
-    ...(stroke && {
-      ...paintAs('stroke', stroke.paint, definitions),
-      'stroke-width': rounded(stroke.width, 5),
-      'stroke-dasharray':
-        stroke.dash.length > 0 ? stroke.dash.map((length) => rounded(length, 5)).join(' ') : null,
-      'stroke-linecap': stroke.cap === 'butt' ? null : stroke.cap,
-      'stroke-linejoin': stroke.join === 'miter' ? null : stroke.join,
-    }),
-    opacity,
-  };
-  if (mark.kind === 'shape') return mark.d ? `<path ${attributes({ d: mark.d, ...look })}/>` : '';
+  const inside = paintAs('fill', fill ?? 'none', definitions);
+  const edge = stroke && strokeAs(stroke, definitions);
+  if (mark.kind === 'shape')
+    return mark.d ? `<path ${attributes({ d: mark.d, ...inside, ...edge, opacity })}/>` : '';
   const { text, x, y, anchor, font } = mark;
   const letters = {
     x: rounded(x),
@@ -101,10 +92,35 @@ function element(mark, definitions) {
     'font-size': font.size,
     'font-weight': font.weight === '400' ? null : font.weight,
     'font-style': font.style === 'normal' ? null : font.style,
-    'paint-order': stroke ? 'stroke' : null,
   };
-  return `<text ${attributes({ ...letters, ...look })}>${escaped(text)}</text>`;
+  const write = (/** @type {Record<string, string | null>} */ paint) =>
+    `<text ${attributes({ ...letters, ...paint })}>${escaped(text)}</text>`;
+  if (!edge || !fill) return write({ ...inside, ...edge, opacity });
+  // Not every program knows that a stroke may lie under its fill.
+  return `<g ${attributes({ opacity })}>${write({ fill: 'none', ...edge })}${write(inside)}</g>`;
 }
+
+/** @param {Stroke} stroke @param {Definitions} definitions @returns {Record<string, string | null>} */
+const strokeAs = ({ paint, width, dash, cap, join }, definitions) => ({
+  ...paintAs('stroke', paint, definitions),
+  'stroke-width': rounded(width, 5),
+  'stroke-dasharray': dash.length > 0 ? dash.map((length) => rounded(length, 5)).join(' ') : null,
+  'stroke-linecap': cap === 'butt' ? null : cap,
+  'stroke-linejoin': join === 'miter' ? null : join,
+});
+
+/** So that cells keep their edges in programs that smooth every image. @param {HTMLCanvasElement} source */
+function enlarged(source) {
+  const canvas = document.createElement('canvas');
+  [canvas.width, canvas.height] = [8 * source.width, 8 * source.height];
+  const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+  context.imageSmoothingEnabled = false;
+  context.drawImage(source, 0, 0, canvas.width, canvas.height);
+  return canvas;
+}
+
+/** By the older name of it: Inkscape before 1.3 knows no other. @param {HTMLCanvasElement} source */
+const imageAs = (source) => ({ 'xlink:href': source.toDataURL() });
 
 /** A mixed colour as other programs know them. @param {string} paint */
 function withoutSpace(paint) {
@@ -143,7 +159,7 @@ function paintServer(paint, definitions) {
   }
   const { tile, scale } = paint;
   const [width, height] = [tile.width * scale, tile.height * scale];
-  const image = `<image ${attributes({ width, height, href: tile.toDataURL() })}/>`;
+  const image = `<image ${attributes({ width, height, ...imageAs(tile) })}/>`;
   const size = attributes({ patternUnits: 'userSpaceOnUse', width, height });
   return definitions.name('pattern', ` ${size}>${image}`);
 }

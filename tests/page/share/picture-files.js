@@ -115,6 +115,19 @@ export const difference = (page, first, second, offset, density, secondDensity) 
     secondDensity,
   );
 
+/** Whether programs other than browsers show an SVG as it is meant, and nothing in it asks for a mouse. @param {string} text */
+export function isPlain(text) {
+  assert.doesNotMatch(text, /paint-order| href=/);
+  // A stroke that lies on its letters would hide them.
+  for (const [tag] of text.matchAll(/<text [^>]* stroke="[^>]*>/g)) assert.match(tag, / fill="none"/);
+  for (const [tag, png] of text.matchAll(/<image [^>]*"pixelated"[^>]*base64,([^"]*)"/g))
+    assert.ok(
+      Buffer.from(png, 'base64').readUInt32BE(16) >= 400,
+      `it will be smoothed: ${tag.slice(0, 200)}`,
+    );
+  assert.doesNotMatch(text, />[^<]*(?:Drag|Press|Tap|Click)\b/);
+}
+
 /** What is in an SVG, read as the browser reads it. @param {Page} page @param {string} text */
 export const readSvg = (page, text) =>
   page.evaluate((source) => {

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { engineTest, pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { samples } from '../parts/samples.js';
-import { difference, placeOf, readPng, readSvg, saved } from './picture-files.js';
+import { difference, isPlain, placeOf, readPng, readSvg, saved } from './picture-files.js';
 
 const margin = 12;
 const base64 = (/** @type {string} */ type, /** @type {Buffer} */ bytes) =>
@@ -58,8 +58,10 @@ for (const { name, setUp, pictures } of shown)
         assert.deepEqual([png.type, svg.type], ['image/png', 'image/svg+xml']);
         const stem = /^robot-seed-1-generation-\d+-/;
         assert.deepEqual(
-          [png, svg].map((file) => file.name.replace(stem, '')),
-          [`${key}.png`, `${key}.svg`],
+          [png, svg].map((file) => file.name.replace(stem, '').replace(/-[0-9a-f]{8}\./, '.')),
+          key === 'generation'
+            ? ['generation-drive.png', 'generation-drive.svg']
+            : [`${key}.png`, `${key}.svg`],
         );
 
         const place = await placeOf(page, key);
@@ -70,6 +72,7 @@ for (const { name, setUp, pictures } of shown)
         assert.equal(inPng.texts.Source, link);
         assert.match(inPng.texts.Software, /^ep-locomotion \d+\.\d+\.\d+$/);
 
+        isPlain(svg.bytes.toString('utf8'));
         const inSvg = await readSvg(page, svg.bytes.toString('utf8'));
         assert.equal(inSvg.error, null);
         assert.deepEqual(
@@ -105,8 +108,10 @@ for (const { name, setUp, pictures } of shown)
   );
 
 pageTest('the picture beside the words of a step is a file too', async (page) => {
+  // As wide as the strip of the law needs.
+  await page.resize(1300, 900);
   for (const [step, shapes, text] of /** @type {const} */ ([
-    ['law', 4, 'asked for'],
+    ['law', 4, 'the sum of all'],
     ['stability', 9, 'V 0'],
     ['limits', 8, 'done'],
     ['cost', 12, 'lowest'],
@@ -123,13 +128,35 @@ pageTest('the picture beside the words of a step is a file too', async (page) =>
       text,
     );
     await page.click('#keep-button');
-    const { bytes } = await saved(page, 'The picture of this step: save as SVG');
+    const { bytes, name } = await saved(page, 'The picture of this step: save as SVG');
     const { error, names, texts } = await readSvg(page, bytes.toString('utf8'));
     assert.equal(error, null, step);
     assert.ok(names.filter((one) => one === 'path').length >= shapes, `${step}: ${names.length} shapes`);
     assert.ok(texts.join(' ').includes(text), `${step}: ${texts}`);
     assert.doesNotMatch(bytes.toString('utf8'), /color\(/, step);
+    isPlain(bytes.toString('utf8'));
+    assert.match(name, new RegExp(`-step-${step}-[0-9a-f]{8}\\.svg$`));
   }
+});
+
+pageTest('pictures of different things have different names', async (page) => {
+  const names = [];
+  for (const [link, title] of [
+    ['lab&v=1', 'The plane'],
+    ['lab&v=1&goal.x=1', 'The plane'],
+    ['lab&v=1&drives=hand&gains=3,1,5', 'The plane'],
+    ['generation&v=1&generation=4&phase=mutation', 'The generation'],
+    ['generation&v=1&generation=4&phase=tournament', 'The generation'],
+    ['generation&v=1&generation=4&phase=mutation&evolution.method=cma-es', 'The generation'],
+  ]) {
+    await page.open(`#${link}`);
+    await page.click('#keep-button');
+    const { name } = await saved(page, `${title}: save as SVG`);
+    assert.match(name, /^[a-z0-9-]+\.svg$/);
+    names.push(name);
+  }
+  assert.equal(new Set(names).size, names.length, names.join('\n'));
+  assert.match(names[4], /-generation-tournament-/);
 });
 
 pageTest('where a browser gives noise for what a page has drawn, no file of noise is saved', async (page) => {

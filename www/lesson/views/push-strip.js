@@ -18,7 +18,7 @@ import { pushesOver, reach } from './push-terms.js';
 /** @import { Experiment, Samples, Triple } from '../../core/engine.js' */
 /** @import { Tools } from '../page.js' */
 /** @import { Curve, Half, Pushes, Side } from './push-terms.js' */
-/** @typedef {{ strip: string, stripHint: string }} StripWords */
+/** @typedef {{ strip: string, stripKey: string, stripHint: string }} StripWords */
 /** @typedef {{ samples: Samples, experiment: Experiment, gains: Triple, time: number, finalTime: number }} Model */
 /** A curve on the picture, and how high it is at a moment. @typedef {{ term: string, path: string, at: (i: number) => number }} Drawn */
 /** @typedef {{ name: string, colour: string, axes: Axes, ticks: number[], limits: number[], curves: Drawn[], asked: Drawn }} DrawnHalf */
@@ -39,7 +39,8 @@ const symbols = /** @type {const} */ ({ linear: ['v', 'of-energy'], angular: ['Ï
 /** @param {Tools} tools @param {StripWords} words */
 export function createStrip({ actions, store }, words) {
   const picture = create('div', 'strip-picture');
-  const element = create('div', 'push-strip', create('p', 'muted', words.stripHint), picture);
+  const hint = create('span', 'hint', words.stripHint);
+  const element = create('div', 'push-strip', create('p', 'muted', words.stripKey, ' ', hint), picture);
   const sizeOf = followSize(picture, () => store.redraw());
   const changed = watch();
   const over = remember(

@@ -110,7 +110,7 @@ function contentOf(model, hurries, { steps, onTable, onBegin, ...context }) {
       <button id="generation-next" type="button" class=${initial ? '' : 'primary'} data-other=${allNext(anatomy)} @click=${steps.next}>${words.next}<span>${whereNext(anatomy, phase)}</span></button>
     </fieldset>
     <div id="generation-picture" class="generation-picture picture" data-picture="generation"
-      data-name=${words.texts.generationPicture} role="slider" tabindex="0"
+      data-name=${words.texts.generationPicture} data-drawn=${phase} role="slider" tabindex="0"
       aria-label=${words.pictureLabel}></div>
     <div id="generation-details" class="generation-details" role="group" aria-label=${words.texts.generationDetails}>
       ${detailsOf(model, context)}

@@ -244,7 +244,7 @@ function sight(state, rows, titles, readout, { choose, evolve, spread: onSpread,
       <canvas id="training-unseen" role="application" tabindex="0" aria-describedby="training-readout" aria-label=${words.pictureLabel(titles[1])}></canvas>
     </div>
     <p id="training-readout" class="visually-hidden" aria-live="polite">${readout}</p>
-    <p id="training-key" class="muted training-key" data-picture="training">${follows ? nothing : html`${sign('arrives')} ${words.signs.arrives} ${sign('misses')} ${words.signs.misses} `}${words.key(
+    <p id="training-key" class="muted training-key" data-picture="training">${follows ? nothing : html`${sign('arrives')} ${words.signs.arrives} ${sign('misses')} ${words.signs.misses} `}<span class="hint">${words.pressOne}</span> ${words.key(
       unseenCount,
       unseenRadius,
       experiment.horizon,

@@ -16,7 +16,8 @@ A *gain* says how hard one error pushes. Each bar is one push at this moment, on
   pushes: {
     tableLabel: 'What each term of the law adds now',
     strip: 'The pushes over the whole drive, and the time of the robots in it',
-    stripHint: 'Solid: kx, long dashes: ky, short: kθ, pale: the sum of all. Drag to move the clock.',
+    stripKey: 'Solid: kx, long dashes: ky, short: kθ, pale: the sum of all.',
+    stripHint: 'Drag to move the clock.',
     speed: 'in m/s',
     turnRate: 'in rad/s',
     moving: 'from the moving goal',

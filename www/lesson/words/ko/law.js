@@ -16,7 +16,8 @@ export const law = {
   pushes: {
     tableLabel: '제어 법칙의 각 항이 지금 더하는 값',
     strip: '주행 전체에서 각 항이 더하는 값과 로봇의 시각',
-    stripHint: '실선 kx, 긴 파선 ky, 짧은 파선 kθ, 옅은 선은 모두 더한 값. 끌면 시각이 바뀜.',
+    stripKey: '실선 kx, 긴 파선 ky, 짧은 파선 kθ, 옅은 선은 모두 더한 값.',
+    stripHint: '끌면 시각이 바뀜.',
     speed: '단위 m/s',
     turnRate: '단위 rad/s',
     moving: '움직이는 목표의 몫',

@@ -76,9 +76,11 @@ export const readout = (start, outcome) => `From ${postureText(start)}: the robo
 
 export const signs = { arrives: 'Filled arrives,', misses: 'small, pale and open does not.' };
 
+export const pressOne = 'Press one to drive from it.';
+
 /** What the pictures and the columns mean. @param {number} count @param {number} radius @param {number} horizon */
 export const key = (count, radius, horizon) =>
-  `Press one to drive from it. Never seen: ${whole(count)} starts within ${fixed(radius, 0)} m of the goal, any heading. Mean J is over all of them, each stopped at ${Number(horizon.toFixed(3))} s at the latest.`;
+  `Never seen: ${whole(count)} starts within ${fixed(radius, 0)} m of the goal, any heading. Mean J is over all of them, each stopped at ${Number(horizon.toFixed(3))} s at the latest.`;
 
 /** @param {Evolved} evolved */
 export const evolvedNote = ({ experiment, generations, drives, milliseconds }) =>

@@ -70,9 +70,11 @@ export const readout = (start, outcome) => `${postureText(start)}에서 출발: 
 
 export const signs = { arrives: '채운 화살표는 도착,', misses: '작고 옅은 빈 화살표는 미도착.' };
 
+export const pressOne = '누르면 그곳에서 주행합니다.';
+
 /** What the pictures and the columns mean. @param {number} count @param {number} radius @param {number} horizon */
 export const key = (count, radius, horizon) =>
-  `누르면 그곳에서 주행합니다. 처음 보는 곳: 목표에서 ${fixed(radius, 0)}\u00a0m 안의 출발점 ${grouped(count)}개, 방향각은 임의. 평균 J는 이들 전체의 평균이며, 각 주행은 늦어도 ${Number(horizon.toFixed(3))}초에 멈춥니다.`;
+  `처음 보는 곳: 목표에서 ${fixed(radius, 0)}\u00a0m 안의 출발점 ${grouped(count)}개, 방향각은 임의. 평균 J는 이들 전체의 평균이며, 각 주행은 늦어도 ${Number(horizon.toFixed(3))}초에 멈춥니다.`;
 
 /** @param {Evolved} evolved */
 export const evolvedNote = ({ experiment, generations, drives, milliseconds }) =>
