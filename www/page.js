@@ -23,6 +23,7 @@ import { createAddress } from './link/address.js';
 import { askFor, createParts } from './parts/load.js';
 import { firstPage, inSight, named, pagesBeside, parts, places } from './parts/parts.js';
 import { createActions } from './run/actions/actions.js';
+import { createBehind } from './run/behind.js';
 import { atEnd, fromStart } from './run/clock.js';
 import { firstState } from './run/first.js';
 import { guarded } from './run/guard.js';
@@ -124,15 +125,9 @@ function createShow({ tools, sight }, seen, addressOf) {
   const { turn, lesson, made, exercise, computingLine, pinButton, head, settings, share } = seen;
   const drawLab = createDraw(() => createViews(store, actions), engine, paper, inSight);
   const keepFocus = createFocusKeeper(pressable);
-
-  /** `state`: that of which everything is there; `now`: what is asked for. */
-  const toDraw = () => {
-    const now = store.get();
-    const { state: driven, scene, isComputing } = sight.of(now);
-    const { robot, size, theme, message, evolving } = now;
-    const state = isComputing ? { ...driven, robot, size, theme, message, evolving } : now;
-    return { now, state, scene, isComputing };
-  };
+  /** Where something will be that is open. @param {State} state */
+  const waitingOf = (state) => lesson.waiting(state) ?? made.waiting(state.page);
+  const toDraw = createBehind(store, sight, (state) => waitingOf(state)?.isLate === false);
   /** Each view by its name. @param {State} state @param {Scene} scene */
   const labOf = (state, scene) => {
     /** @type {Record<string, () => void>} */
@@ -161,16 +156,18 @@ function createShow({ tools, sight }, seen, addressOf) {
 
     /** The open part asks the workers for what it still lacks. */
     show() {
-      const { now, state, scene, isComputing } = toDraw();
-      made.open(now.page);
-      lesson.open(now);
+      made.open(store.get().page);
+      lesson.open(store.get());
+      const { now, state, scene, isBehind } = toDraw();
       turn('computing', () => computingLine.draw(now));
-      for (const [name, act] of [...headOf(head, state), ...labOf(state, scene)]) turn(name, act);
+      const waiting = waitingOf(state)?.name;
+      for (const [name, act] of headOf(head, state, waiting)) turn(name, act);
+      for (const [name, act] of labOf(state, scene)) turn(name, act);
       turn('pauseButton', () => head.pauseButton.draw(state.evolving));
       turn('lesson', () => lesson.draw(state, scene));
       drawPart(state, scene);
       turn('exercise', () => exercise.draw(state, made.size, scene));
-      if (!isComputing) turn('address', () => addressOf()?.follow(state));
+      if (!isBehind) turn('address', () => addressOf()?.follow(state));
       // What is being set, while its drives are still on their way.
       turn('settings', () => settings.draw(now));
       turn('embed', () => embed?.draw(state));

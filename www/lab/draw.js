@@ -102,10 +102,10 @@ export function createDraw(createViews, engine, paper, inSight) {
   };
 }
 
-/** What stands above all parts, by its name. @param {Head} head @param {State} state @returns {[string, () => void][]} */
-export const headOf = (head, state) => [
+/** What stands above all parts, by its name. @param {Head} head @param {State} state @param {string} [waiting] What is open and not there yet. @returns {[string, () => void][]} */
+export const headOf = (head, state, waiting) => [
   ['message', () => showMessage(state.message)],
-  ['pages', () => head.pages.draw(state.page, state.lesson, state.population.length)],
+  ['pages', () => head.pages.draw(state.page, state.lesson, state.population.length, waiting)],
   ['preset', () => head.preset.draw(asked(state).preset)],
 ];
 

@@ -27,11 +27,13 @@ function showMore(nav) {
 /** Of the window, which names first what is open. @param {string} name */
 export const titleOf = (name) => `${name} · ${strings.texts.pageTitle}`;
 
-/** Of those that name the pages they belong to. @param {Iterable<Element>} elements @param {string} page */
-export function showOn(elements, page) {
+/** Of those that name the pages they belong to. @param {Iterable<Element>} elements @param {string} page @param {string} [waiting] What is not there yet: then its place alone. */
+export function showOn(elements, page, waiting) {
   for (const element of elements)
     if (element instanceof HTMLElement && element.dataset.page)
-      element.hidden = !element.dataset.page.split(' ').includes(page);
+      element.hidden = waiting
+        ? element.dataset.page !== waiting
+        : !element.dataset.page.split(' ').includes(page);
 }
 
 /** For who comes by keyboard: over the head of the page, to what it is about. */
@@ -69,11 +71,14 @@ export function createPages(pages, named, nav, tagline, onOpen, onLesson) {
   followSize(nav, () => showCurrent(nav));
   nav.addEventListener('scroll', () => showMore(nav), { passive: true });
   return {
-    /** @param {string} open @param {number} lesson @param {number} population */
-    draw(open, lesson, population) {
-      if (!changed(open, lesson, population)) return;
-      document.body.dataset.open = open;
-      document.body.dataset.room = named[open].room ?? '';
+    /** @param {string} open @param {number} lesson @param {number} population @param {string} [waiting] What of these is not there yet. */
+    draw(open, lesson, population, waiting) {
+      if (!changed(open, lesson, population, waiting)) return;
+      // What it has no styles for yet stands as it stood.
+      if (!waiting) {
+        document.body.dataset.open = open;
+        document.body.dataset.room = named[open].room ?? '';
+      }
       // A step of the lesson has its own, once it is there.
       if (!lesson) document.title = titleOf(named[open].name);
       tagline.textContent = lesson ? lessonWords.tagline : named[open].purpose(population);
@@ -85,7 +90,7 @@ export function createPages(pages, named, nav, tagline, onOpen, onLesson) {
       // When the frame is laid out: before, that would be done twice.
       requestAnimationFrame(() => showCurrent(nav));
       // Parts are made while the page is open.
-      showOn(document.querySelectorAll('[data-page]'), open);
+      showOn(document.querySelectorAll('[data-page]'), open, waiting);
     },
   };
 }

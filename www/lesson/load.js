@@ -3,11 +3,12 @@
 /** @import { Scene } from '../run/scene.js' */
 /** @import { State } from '../run/state.js' */
 /** @import { Tools } from './page.js' */
-import { byId } from '../kit/elements.js';
 import { once } from '../kit/memo.js';
-import { createWaiting } from '../lab/waiting.js';
+import { titleOf } from '../lab/navigation.js';
 import { load as loadDisturbance } from '../parts/disturbance/words/load.js';
 import { load as loadGeneration } from '../parts/generation/words/load.js';
+import { createPlace } from '../parts/load.js';
+import { lesson as words } from '../words/index.js';
 import { afterWords } from '../words/pick.js';
 import { createKeepsake } from './keepsake.js';
 import { progressSlice } from './state.js';
@@ -22,25 +23,25 @@ export function askForLesson(hash) {
 
 /** @param {Omit<Tools, 'look'> & { paper: PaperResult[] }} tools */
 export function createLesson(tools) {
-  const article = byId('lesson');
   // Answers belong to what is handed in, also where no step is open.
   const keepsake = createKeepsake(tools.store, tools.engine);
   /** @type {{ draw: (state: State, scene: Scene) => void } | null} */
   let lesson = null;
   /** @type {Promise<void> | null} */
   let loading = null;
+  /** @type {import('../parts/load.js').Place | null} */
+  let place = null;
 
   async function begin() {
-    const waiting = createWaiting();
-    article.replaceChildren(waiting.element);
+    place = createPlace('lesson', tools.store.redraw);
     try {
       const { createLessonPage } = await load();
-      const made = createLessonPage(tools);
-      article.replaceChildren();
-      lesson = made;
+      lesson = createLessonPage(tools);
+      place.fill();
+      place = null;
       tools.store.redraw();
     } catch (error) {
-      waiting.fail(error);
+      place?.fail(error);
     }
   }
 
@@ -51,16 +52,15 @@ export function createLesson(tools) {
       return loading;
     },
 
+    /** Where it will be, if it is open and not there. @param {State} state */
+    waiting: (state) => (state.lesson > 0 ? place : null),
+
     /** @param {State} state @param {Scene} scene */
     draw(state, scene) {
       if (lesson) {
         lesson.draw(state, scene);
         keepsake.follow(progressSlice.of(tools.store.get()));
-        return;
-      }
-      const isOpen = state.lesson > 0;
-      document.body.toggleAttribute('data-lesson', isOpen);
-      article.hidden = !isOpen;
+      } else if (state.lesson > 0) document.title = titleOf(words.nav);
     },
   };
 }

@@ -15,6 +15,7 @@ import { titleOf } from '../lab/navigation.js';
 import { createStage, stageOf } from './stage.js';
 import { createTally } from './duel/tally.js';
 import { keepPlaceInTurning } from './turning.js';
+import './beside.css';
 import './views/error-posture.css';
 import './style.css';
 import './formulas/formula.css';

@@ -29,18 +29,22 @@ export function createParts(parts, tools, onLoaded) {
   const pages = new Map();
   /** @type {Map<string, Promise<void>>} */
   const loading = new Map();
+  /** @type {Map<string, Place>} */
+  const waiting = new Map();
   let opened = '';
 
   /** @param {Part} part */
   async function load(part) {
     const { name } = part;
-    const place = createPlace(name);
+    const place = createPlace(name, () => tools.store.redraw());
+    waiting.set(name, place);
     try {
       const createPage = await makerOf(part);
       // Its file has just been read: both at once would hold the browser for long.
       await pause();
       const page = await createPage(tools);
       pages.set(name, page);
+      waiting.delete(name);
       place.fill(page.element);
       onLoaded();
     } catch (error) {
@@ -57,6 +61,9 @@ export function createParts(parts, tools, onLoaded) {
     /** The page of a part, if it is there. @param {string} name */
     of: (name) => pages.get(name),
 
+    /** Where a part will be that has been asked for and is not there. @param {string} name */
+    waiting: (name) => waiting.get(name),
+
     /** Loads the page of a part, unless that is done or under way. Resolves when it is there or cannot be. @param {string} name */
     open(name) {
       if (name !== opened) pages.get(name)?.retry?.();
@@ -68,19 +75,40 @@ export function createParts(parts, tools, onLoaded) {
   };
 }
 
-/** Where the page of a part will be: it says what one waits for, or what went wrong. @param {string} name */
-function createPlace(name) {
-  const { element: place, fail } = createWaiting();
-  place.dataset.page = name;
+/** @typedef {ReturnType<typeof createPlace>} Place */
+
+/** As long as this what was open stays: most often all is there by then, and nothing has moved meanwhile. */
+const unnoticed = 400;
+
+/** Where the page of a part, or the lesson, will be: it says what one waits for, or what went wrong. @param {string} name @param {() => void} onLate */
+export function createPlace(name, onLate) {
+  const { element, fail } = createWaiting();
+  const tell = () => {
+    place.isLate = true;
+    onLate();
+  };
+  const timer = setTimeout(tell, unnoticed);
+  element.dataset.page = name;
+  element.hidden = true;
   // What an exercise hides stands nowhere: this does.
-  byId('cost').after(place);
-  return {
-    fail,
-    /** @param {HTMLElement} element */
-    fill(element) {
-      element.hidden = place.hidden;
-      place.before(element);
-      place.remove();
+  byId('cost').after(element);
+  const place = {
+    name,
+    isLate: false,
+    /** @param {unknown} error */
+    fail(error) {
+      fail(error);
+      tell();
+    },
+    /** @param {HTMLElement} [page] */
+    fill(page) {
+      clearTimeout(timer);
+      if (page) {
+        page.hidden = element.hidden;
+        element.before(page);
+      }
+      element.remove();
     },
   };
+  return place;
 }

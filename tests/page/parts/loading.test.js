@@ -256,7 +256,9 @@ pageTest(
     try {
       await page.visit(`${site.address}#lesson&step=3`);
       await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
-      await page.until('it is said', () => document.querySelector('#lesson .part-failed')?.checkVisibility());
+      await page.until('it is said', () =>
+        document.querySelector('#instrument .part-failed')?.checkVisibility(),
+      );
       await page.click('#page-lab');
       await page.until('the lab goes on', () => document.getElementById('one-generation')?.checkVisibility());
       assert.equal(await page.evaluate(() => 'lesson' in document.body.dataset), false);
