@@ -278,7 +278,6 @@ async function start(engine) {
 /** Opens the page, or says why it cannot be opened. */
 export async function begin() {
   try {
-    document.body.toggleAttribute('data-embed', isEmbedded);
     sayTexts();
     for (const element of document.querySelectorAll('[data-beside]'))
       element.setAttribute('data-page', pagesBeside(element.getAttribute('data-beside')).join(' '));

@@ -1,5 +1,5 @@
 // The sizes of a figure, the height that it asks for, and the first that it says.
-import { isHeldByElement } from '../kit/host.js';
+import { isEmbedded, isHeldByElement } from '../kit/host.js';
 
 /** Of the messages between a figure and its host, which messages.js describes. */
 export const version = 1;
@@ -32,7 +32,8 @@ export function wantedHeight(parts, page, lesson, width) {
   return Math.round(Math.min(most, Math.max(least, share * width)));
 }
 
-/** To the element that holds it: that it is one, and on its way, however slow the network is. */
+/** Before anything is seen that a figure has not; and to the element that holds it: that it is one, and on its way, however slow the network is. */
 export function sayLoading() {
+  document.body.toggleAttribute('data-embed', isEmbedded);
   if (isHeldByElement && parent !== window) parent.postMessage({ ep: version, type: 'loading' }, '*');
 }

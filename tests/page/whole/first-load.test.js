@@ -67,12 +67,19 @@ pageTest('what is in sight while the page opens stays where it is', async (page)
   }
 });
 
-/** Whether the head ever told of a part whose picture was not there. */
+/** Whether the head ever told of a part whose picture was not there, and what of it was in sight before that. */
 const watched = `
+  const { dataset } = document.documentElement;
+  const isThere = () => document.getElementById('instrument')?.hidden === false;
   new MutationObserver(() => {
-    const { dataset } = document.documentElement;
-    dataset.early = String(dataset.early === 'true' || document.getElementById('instrument').hidden);
-  }).observe(document, { subtree: true, attributeFilter: ['data-open', 'data-lesson'] });`;
+    dataset.early = String(dataset.early === 'true' || !isThere());
+  }).observe(document, { subtree: true, attributeFilter: ['data-open', 'data-lesson'] });
+  dataset.controls = '';
+  new MutationObserver(() => {
+    if (isThere()) return;
+    for (const id of ['preset', 'settings-button', 'keys-button'])
+      if (document.getElementById(id)?.childNodes.length !== 0 && document.getElementById(id)?.checkVisibility()) dataset.controls += id;
+  }).observe(document, { subtree: true, childList: true });`;
 
 pageTest('the head changes together with the picture, so that nothing below it jumps', async (page) => {
   const site = await serve(undefined, { before: watched });
@@ -81,7 +88,9 @@ pageTest('the head changes together with the picture, so that nothing below it j
       await page.leave();
       await page.visit(site.address + fragment);
       await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
-      assert.equal(await page.evaluate(() => document.documentElement.dataset.early), 'false', fragment);
+      const { early, controls } = await page.evaluate(() => ({ ...document.documentElement.dataset }));
+      assert.equal(early, 'false', fragment);
+      assert.match(String(controls), /^(keys-button)*$/, fragment);
       assert.deepEqual([...(await page.problems()), ...site.problems], []);
     }
   } finally {
@@ -124,3 +133,57 @@ pageTest(
     assert.deepEqual(await page.problems(), []);
   },
 );
+
+pageTest(
+  'before its words are there a figure has no head, and the page no heading of another language',
+  async (page) => {
+    let go = () => {};
+    /** @type {Promise<void>} */
+    let held = Promise.resolve();
+    const site = await serve(undefined, {
+      async send(name, content) {
+        if (/(en|ko|page)-.*\.js$/.test(name)) await held;
+        return content;
+      },
+    });
+    const heading = () =>
+      page.evaluate(() => {
+        const element = document.querySelector('h1');
+        return element?.checkVisibility() ? element.textContent : '';
+      });
+    try {
+      for (const [address, shown] of /** @type {const} */ ([
+        ['?embed#lab', ''],
+        ['#lab&v=1&lang=ko', ''],
+        ['#lab', 'Evolving a robot’s controller'],
+      ])) {
+        await page.leave();
+        held = new Promise((resolve) => {
+          go = resolve;
+        });
+        await page.visit(site.address + address);
+        assert.equal(await heading(), shown, address);
+        go();
+        await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
+        assert.deepEqual([...(await page.problems()), ...site.problems], []);
+      }
+    } finally {
+      go();
+      await page.leave();
+      await site.close();
+    }
+  },
+);
+
+pageTest('a figure whose files are missing is a page to read', async (page) => {
+  const site = await serve(undefined, {
+    send: (name, content) => (/page-.*\.js$/.test(name) ? null : content),
+  });
+  try {
+    await page.visit(`${site.address}?embed#lab`);
+    await page.until('it is one', () => document.querySelector('h1')?.checkVisibility());
+  } finally {
+    await page.leave();
+    await site.close();
+  }
+});
