@@ -2,7 +2,7 @@
 /** @import { Drive } from './task.js' */
 
 /** Seconds of the film: of one by hand, of the first generations, of the next ones, and of one that drives as the last one did. */
-const lengths = { hand: 3.6, first: 0.9, next: 0.5, same: 0.25 };
+export const lengths = { hand: 3.6, first: 0.9, next: 0.5, same: 0.25 };
 /** Seconds after which who has not parked is not waited for. */
 const patience = 4;
 

@@ -8,7 +8,7 @@ import { createFrameLoop } from '../../kit/loop.js';
 import { remember } from '../../kit/memo.js';
 import { hidesPaper } from '../../run/exercise.js';
 import { createBreeding, isDone } from './breeding.js';
-import { filmOf, isOver, later } from './film.js';
+import { filmOf, isOver, later, lengths } from './film.js';
 import { parkSlice, reaching } from './state.js';
 import { anyGains, firstGains, parkedOf } from './task.js';
 
@@ -116,12 +116,16 @@ const bestWith = ({ gains, best }, parked) =>
 function createProjector(first, store, onEnd) {
   const begun = (/** @type {Film} */ film) => (isStill() ? later(film, Number.POSITIVE_INFINITY) : film);
   const isEvolving = () => parkSlice.of(store.get()).evolving;
+  /** Where nothing moves each generation stands for a while. */
+  let stood = 0;
   let film = begun(first);
   const { request } = createFrameLoop((seconds) => {
     if (store.get().page !== 'park') return false;
     const wasOver = isOver(film);
     film = later(film, seconds);
+    stood += seconds;
     store.redraw();
+    if (isStill() && isEvolving() && stood < lengths.same) return true;
     if (isOver(film) && (!wasOver || isEvolving())) onEnd();
     return !isOver(film) || isEvolving();
   });
@@ -132,6 +136,7 @@ function createProjector(first, store, onEnd) {
     /** @param {Film} next */
     show(next) {
       film = begun(next);
+      stood = 0;
       request();
     },
   };

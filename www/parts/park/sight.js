@@ -35,12 +35,13 @@ export function sight(model, on, after, failed) {
   return html`
     <p class="park-count"><strong id="park-count">${parked}</strong> <span>${words.ofParked(count)}</span>
       <span class="muted">${driverOf(model, after)}</span></p>
-    <fieldset id="park-gains" class=${newest && !isOwn ? 'is-idle' : ''} aria-label=${words.sliders}>${after && newest ? after.key(model) : nothing}${lab.gains.map((gain, i) => rowOf(gain, i, model, on, after))}</fieldset>
+    <fieldset id="park-gains" class=${newest && !isOwn ? 'is-idle' : ''} aria-label=${words.sliders}>${lab.gains.map((gain, i) => rowOf(gain, i, model, on, after))}</fieldset>
     <p class="park-bar row">
       <button id="park-evolve" type="button" class=${newest ? '' : 'primary'} .disabled=${!model.moved && model.isFree} aria-describedby=${bred.length > 0 ? nothing : 'park-hint'}
         @click=${evolving ? on.stop : on.evolve}>${evolving ? words.stop : newest ? words.otherSeed : words.evolve}</button>
       <button id="park-again" type="button" aria-disabled=${String(evolving || !over)} @click=${unless(evolving || !over, on.again)}>${words.again}</button>
     </p>
+    ${after && newest ? after.key(model) : nothing}
     ${failed}
     ${message ? html`<p class="message" role="alert">${message}</p>` : nothing}
     ${newest ? after?.climb(model) : html`<p id="park-hint" class="muted">${model.moved || !model.isFree ? words.ready(model.population) : words.first}</p>`}
