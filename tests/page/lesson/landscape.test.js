@@ -4,9 +4,12 @@ import { landscapeSlice } from '../../../www/parts/landscape/state.js';
 import { landscape as en } from '../../../www/lesson/words/en/landscape.js';
 import { landscape as ko } from '../../../www/lesson/words/ko/landscape.js';
 import { stepOf } from '../../../www/lesson/steps.js';
+import { specOf } from '../../../www/lesson/lowest.js';
+import { atEnd } from '../../../www/run/clock.js';
+import { firstState } from '../../../www/run/first.js';
 import { pageTest } from '../harness/browsers.js';
 import { Evolution, evaluate, experiment, landscape, paperGains, simulate } from '../harness/core.js';
-import { driven, linkOf, opened, shownIn } from './links.js';
+import { driven, engine, linkOf, opened, shownIn } from './links.js';
 import { answered, tryOf } from './live.js';
 import { test } from '../harness/once.js';
 
@@ -194,4 +197,19 @@ pageTest('on a telephone J of the robot that is pressed on the map is read in si
     const seen = JSON.stringify({ width, map, readout, pane });
     assert.ok(map.top >= pane.top && readout.top >= map.bottom && readout.bottom <= pane.bottom, seen);
   }
+});
+
+test('what is said of the map is as wide before it is there', () => {
+  const state = firstState(engine, 'velocity-limits', atEnd);
+  const told = (/** @type {object | null} */ result) => {
+    const slices = { ...state.slices, landscape: { ...landscapeSlice.of(state), result } };
+    const values = step.values?.(/** @type {any} */ ({ engine, state: { ...state, slices } })) ?? {};
+    return ['drives', 'grid', 'side', 'floor'].map((name) => String(values[name]).length);
+  };
+  const { experiment, preset } = state;
+  const spec = specOf({ experiment, preset, x: 'kx', y: 'ktheta', third: ky });
+  const whole = told({ spec, count, costs: map });
+  assert.deepEqual(whole, [6, 9, 3, 2]);
+  assert.deepEqual(told(null), whole);
+  assert.deepEqual(told({ spec, count: 64, costs: map.slice(0, 64 ** 2) }), whole);
 });

@@ -24,6 +24,9 @@ const floorShare = remember((/** @type {Float64Array} */ costs) => {
   return costs.filter((cost) => cost < floor * least).length / costs.length;
 });
 
+/** As wide as it will be once the map is there: no paragraph moves then. @param {string | null} text @param {number} most */
+const roomFor = (text, most) => (text ?? '…').padEnd(most, '\u2007');
+
 /** @type {Written} */
 export const landscape = {
   figure: 'evolve',
@@ -74,10 +77,10 @@ export const landscape = {
     const { history, generation } = state;
     const { result } = landscapeSlice.of(state);
     return {
-      drives: result ? lab.grouped(result.costs.length) : '…',
-      grid: result ? lab.grouped(result.count ** 3) : '…',
-      side: result ? String(result.count) : '…',
-      floor: result ? fixed(100 * floorShare(openingMap(engine)(result).costs), 0) : '…',
+      drives: roomFor(result && lab.grouped(result.costs.length), 6),
+      grid: roomFor(result && lab.grouped(result.count ** 3), 9),
+      side: roomFor(result && String(result.count), 3),
+      floor: roomFor(result && fixed(100 * floorShare(openingMap(engine)(result).costs), 0), 2),
       generation: String(generation),
       spent: lab.grouped(history[generation].evaluations),
       horizon: fixed(engine.experiment('velocity-limits').horizon, 0),
