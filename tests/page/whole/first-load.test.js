@@ -7,7 +7,7 @@ import { serve } from '../harness/server.js';
 
 /** The address alone opens the parking place. @type {readonly (readonly [fragment: string, bytes: number])[]} */
 const budgets = [
-  ['', 230_000],
+  ['', 231_000],
   ['#lab', 223_000],
   ['#lab&v=1&lang=ko', 225_000],
 ];
@@ -79,17 +79,27 @@ const watched = `
     if (isThere()) return;
     for (const id of ['preset', 'settings-button', 'keys-button'])
       if (document.getElementById(id)?.childNodes.length !== 0 && document.getElementById(id)?.checkVisibility()) dataset.controls += id;
-  }).observe(document, { subtree: true, childList: true });`;
+  }).observe(document, { subtree: true, childList: true });
+  dataset.over = '0';
+  const measure = () => {
+    if (isThere()) return;
+    dataset.over = String(Math.max(Number(dataset.over), document.documentElement.scrollHeight - innerHeight));
+    requestAnimationFrame(measure);
+  };
+  requestAnimationFrame(measure);`;
 
 pageTest('the head changes together with the picture, so that nothing below it jumps', async (page) => {
   const site = await serve(undefined, { before: watched });
   try {
+    // Lower than what is there to read, which nobody sees yet.
+    await page.resize(1200, 600);
     for (const fragment of ['', '#training', '#lesson&step=3']) {
       await page.leave();
       await page.visit(site.address + fragment);
       await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
-      const { early, controls } = await page.evaluate(() => ({ ...document.documentElement.dataset }));
+      const { early, controls, over } = await page.evaluate(() => ({ ...document.documentElement.dataset }));
       assert.equal(early, 'false', fragment);
+      assert.equal(over, '0', `${fragment} is ${over} px too high while it opens`);
       assert.match(String(controls), /^(keys-button)*$/, fragment);
       assert.deepEqual([...(await page.problems()), ...site.problems], []);
     }
