@@ -53,10 +53,10 @@ const failing = (name) => `
 
 /** The page fails before all else. */
 const silent = `
-  const toggle = Element.prototype.toggleAttribute;
-  Element.prototype.toggleAttribute = function (name, ...rest) {
-    if (name === 'data-embed') throw Error('no texts');
-    return toggle.call(this, name, ...rest);
+  const set = Element.prototype.setAttribute;
+  Element.prototype.setAttribute = function (name, ...rest) {
+    if (name === 'data-page') throw Error('no texts');
+    return set.call(this, name, ...rest);
   };`;
 
 /** As Chromium says it, where many tabs and figures are open. */
