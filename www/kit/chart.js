@@ -1,6 +1,6 @@
 // Line charts on canvases: axes, lines, bands and a cursor. Names at the lines are in names.js.
 import { circle, createLayer, sharpLine } from './canvas.js';
-import { drawInSize } from './size.js';
+import { followSize } from './size.js';
 import { outlineOf } from './extent.js';
 import { setLettering } from './lettering.js';
 import { standingFree } from './names.js';
@@ -34,7 +34,7 @@ export function createChart(root, draw) {
     canvas.style.setProperty('--high', `${size.height}px`);
     layer.draw(size, (context) => draw(context, size, model));
   };
-  const sizeOf = drawInSize(root, show);
+  const sizeOf = followSize(root, show);
   return {
     canvas,
     /** @param {M} model @returns {boolean} whether it is another */

@@ -18,19 +18,8 @@ function shrink({ width, height }) {
   return { width: Math.floor(width * scale), height: Math.floor(height * scale) };
 }
 
-/**
- * The size of an element in pixels, kept up to date.
- * @param {HTMLElement} element @param {(size: Size) => void} onResize Draws nothing at once: what is drawn now might change a size that is being told.
- * @param {(size: Size) => Size} [onPaper] How large it is there.
- */
-export const followSize = (element, onResize, onPaper = shrink) =>
-  follow(element, onResize, onPaper, (measure) => measure());
-
-/** The same for what draws by itself, in the next frame. @param {HTMLElement} element @param {(size: Size) => void} draw */
-export const drawInSize = (element, draw) => follow(element, draw, shrink, requestAnimationFrame);
-
-/** @param {HTMLElement} element @param {(size: Size) => void} onResize @param {(size: Size) => Size} onPaper @param {(measure: () => void) => void} when */
-function follow(element, onResize, onPaper, when) {
+/** The size of an element in pixels, kept up to date. @param {HTMLElement} element @param {(size: Size) => void} onResize @param {(size: Size) => Size} [onPaper] How large it is there. */
+export function followSize(element, onResize, onPaper = shrink) {
   let seen = { width: 0, height: 0 };
   let size = seen;
   let density = devicePixelRatio;
@@ -43,7 +32,8 @@ function follow(element, onResize, onPaper, when) {
     density = devicePixelRatio;
     tell();
   };
-  new ResizeObserver(() => when(measure)).observe(element);
+  // In the next frame: what is drawn now might change a size that is being told.
+  new ResizeObserver(() => requestAnimationFrame(measure)).observe(element);
   const look = () => {
     if (density !== devicePixelRatio) measure();
   };
@@ -59,6 +49,7 @@ function follow(element, onResize, onPaper, when) {
  */
 export function followPixels(element, onChange) {
   let pixels = [0, 0];
+  // In the next frame, as above.
   if ('devicePixelContentBoxSize' in (globalThis.ResizeObserverEntry?.prototype ?? {}))
     new ResizeObserver(([entry]) => {
       const [{ inlineSize, blockSize }] = entry.devicePixelContentBoxSize;

@@ -1,7 +1,7 @@
 // The parts of the page: links to all, and only what belongs to the open one in sight.
 import { html, nothing, render } from 'lit-html';
 import { byId } from '../kit/elements.js';
-import { drawInSize } from '../kit/size.js';
+import { followSize } from '../kit/size.js';
 import { isEmbedded } from '../kit/host.js';
 import { watch } from '../kit/memo.js';
 import { lesson as lessonWords, lab as strings } from '../words/index.js';
@@ -68,7 +68,7 @@ export function createPages(pages, named, nav, tagline, onOpen, onLesson) {
   };
   showSkip();
   const changed = watch();
-  drawInSize(nav, () => showCurrent(nav));
+  followSize(nav, () => showCurrent(nav));
   nav.addEventListener('scroll', () => showMore(nav), { passive: true });
   return {
     /** @param {string} open @param {number} lesson @param {number} population @param {string} [waiting] What of these is not there yet. */

@@ -2,7 +2,7 @@
 /** @import { Place, Size } from './places.js' */
 /** @import { Anatomy, Phase } from './record.js' */
 import { svg, tellValue } from '../../kit/elements.js';
-import { drawInSize } from '../../kit/size.js';
+import { followSize } from '../../kit/size.js';
 import { isChord } from '../../kit/keyboard.js';
 import { watch } from '../../kit/memo.js';
 import words from './words/index.js';
@@ -34,7 +34,7 @@ export function createPicture(element, { onChoose }) {
     isDue = false;
     if (latest && size.width > 0) drawn = show(latest, size, drawn);
   };
-  const sizeOf = drawInSize(root, (size) => {
+  const sizeOf = followSize(root, (size) => {
     if (!isDue && !(drawn?.model === latest && isSame(drawn.size, size))) draw(size);
   });
   /** A crowd has a frame of its own: its details may change its size, of which one is told only after that, and it is not to be drawn twice. */

@@ -4,7 +4,7 @@
 /** @import { SeedSurvey } from './request.js' */
 import { createWatchedLayer } from '../../kit/canvas.js';
 import { scaleLinear } from 'd3-scale';
-import { drawInSize } from '../../kit/size.js';
+import { followSize } from '../../kit/size.js';
 import { take } from '../../kit/chart.js';
 import { colour } from '../../kit/palette.js';
 import { stacked } from '../../kit/stack.js';
@@ -44,7 +44,7 @@ export function createStrips(canvas, { onPoint, onChoose }) {
         strips = drawStrips(context, size, shown);
       });
   };
-  const sizeOf = drawInSize(canvas, draw);
+  const sizeOf = followSize(canvas, draw);
 
   /** The seed whose dot is there. @param {PointerEvent | MouseEvent} event */
   const at = (event) => {
