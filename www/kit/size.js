@@ -49,7 +49,6 @@ export function followSize(element, onResize, onPaper = shrink) {
  */
 export function followPixels(element, onChange) {
   let pixels = [0, 0];
-  // In the next frame, as above.
   if ('devicePixelContentBoxSize' in (globalThis.ResizeObserverEntry?.prototype ?? {}))
     new ResizeObserver(([entry]) => {
       const [{ inlineSize, blockSize }] = entry.devicePixelContentBoxSize;
