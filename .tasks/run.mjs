@@ -122,7 +122,7 @@ export function npm(args, options) {
 
 /** Whether this file is what Node was told to run, by whichever way to it. @param {string} url */
 export const isProgram = (url) =>
-  process.argv[1] !== undefined && pathToFileURL(realpathSync(process.argv[1])).href === url;
+  existsSync(process.argv[1] ?? '') && pathToFileURL(realpathSync(process.argv[1])).href === url;
 
 /** What a program prints, or null if it is absent or fails. @param {string} program @param {string[]} args */
 export function ask(program, args) {

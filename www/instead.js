@@ -22,10 +22,20 @@ function reasonOf(error) {
 /** Out of the document, for an exercise may hide what it tells; should the page fail on its last steps, it is wanted again. */
 const taken = document.createDocumentFragment();
 
+/** From a copy that a browser has saved to the page. */
+const original = /** @type {HTMLAnchorElement} */ (create('a', {}));
+
+/** It leads to what is on screen when the page is saved. */
+export function followAddress() {
+  original.href = location.href;
+  original.textContent = document.title;
+}
+
 /** The robots drive. In its place stands, for a browser that saves the page, what its copy is: a shadow that is not saved covers it. */
 export function takeInstead() {
-  const page = create('a', { href: location.href }, document.title);
-  const copy = create('div', { id: 'copy' }, create('p', 'message', words.copy, ' ', page));
+  const copy = create('div', { id: 'copy' }, create('p', 'message', words.copy, ' ', original));
+  followAddress();
+  addEventListener('popstate', followAddress);
   copy.attachShadow({ mode: 'open' });
   byId('instead').before(copy);
   taken.append(byId('instead'));

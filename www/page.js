@@ -5,7 +5,7 @@
 import { createEngine } from './core/engine.js';
 import { tryNow } from './core/pending.js';
 import { sayFailed } from './embed/post.js';
-import { takeInstead, showInstead, watchCore } from './instead.js';
+import { followAddress, takeInstead, showInstead, watchCore } from './instead.js';
 import { byId } from './kit/elements.js';
 import { keepHeld, steadySliders } from './kit/finger.js';
 import { createFocusKeeper } from './kit/focus.js';
@@ -253,7 +253,7 @@ async function start(engine) {
   byId('plane-robots').setAttribute('aria-label', words.planeLabel);
   createKeys(share.openChecks);
   byId('fitness-table').addEventListener('click', () => showTable(fitnessTable(store.get())));
-  address = createAddress({ ...tools, actions, slices: places.slices, firstPage });
+  address = createAddress({ ...tools, actions, slices: places.slices, firstPage, onWrite: followAddress });
   await giveWay();
   await Promise.all([made.open(store.get().page), lesson.open(store.get())]);
   await giveWay();

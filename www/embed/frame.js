@@ -32,8 +32,10 @@ export function wantedHeight(parts, page, lesson, width) {
   return Math.round(Math.min(most, Math.max(least, share * width)));
 }
 
-/** Before anything is seen that a figure has not; and to the element that holds it: that it is one, and on its way, however slow the network is. */
+/** Nothing is seen that a figure has not. @param {boolean} [isFigure] */
+export const showAsFigure = (isFigure = isEmbedded) => document.body.toggleAttribute('data-embed', isFigure);
+
+/** To the element that holds it: that it is a figure, and on its way, however slow the network is. */
 export function sayLoading() {
-  document.body.toggleAttribute('data-embed', isEmbedded);
   if (isHeldByElement && parent !== window) parent.postMessage({ ep: version, type: 'loading' }, '*');
 }

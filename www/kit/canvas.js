@@ -57,7 +57,7 @@ export function createLayer(canvas) {
   const pixelsOf = ({ width, height }, density) =>
     [width, height].map((length, axis) => {
       const [pixels, own] = [Math.round(length * density), covered()[axis]];
-      return Math.abs(own - pixels) <= 1 ? own : pixels;
+      return Math.abs(own - pixels) <= Math.max(1, density / 2) ? own : pixels;
     });
   const layer = {
     /** Fits the canvas to its size in CSS pixels, empties it, and draws. @param {Size} size @param {Paint} paint It may be called again, to the same end. */

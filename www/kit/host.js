@@ -40,7 +40,7 @@ export async function canLoad() {
 export const percent = (letter) => `%${letter.charCodeAt(0).toString(16).toUpperCase()}`;
 
 /** What programs take for the end of an address in a text, or for its emphasis, is written otherwise. @param {string} link */
-export const amongWords = (link) => link.replaceAll(/[!'()*]|[,.;~]$/g, percent);
+export const amongWords = (link) => link.replaceAll(/[!'()*]|[,.;~_]$/g, percent);
 
 /** The address of the whole page, or with `embed` of its figure for a frame; who works on it only the link says. @param {string} page @param {string} link the text after # @param {boolean} embed */
 export function addressOf(page, link, embed) {

@@ -56,8 +56,8 @@ function createLinkTo({ engine, store, links, firstPage }) {
   };
 }
 
-/** @param {{ engine: Engine, store: Store, actions: Actions, links: Links, slices: readonly Slice<any>[], firstPage: string }} parts `slices`: of all parts; `firstPage`: what is opened where an address asks for nothing. */
-export function createAddress({ engine, store, actions, links, slices, firstPage }) {
+/** @param {{ engine: Engine, store: Store, actions: Actions, links: Links, slices: readonly Slice<any>[], firstPage: string, onWrite: () => void }} parts `slices`: of all parts; `firstPage`: what is opened where an address asks for nothing. */
+export function createAddress({ engine, store, actions, links, slices, firstPage, onWrite }) {
   const { linkFor, linkNow, wayTo } = createLinkTo({ engine, store, links, firstPage });
   const changed = watch();
   /** The page is about to be loaded again, and what is laid beside its address stays there; `replaced`: the address before. */
@@ -89,15 +89,15 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
 
   const write = () => {
     const state = store.get();
-    if (away.leaves || !isDue(state, place)) return;
     const link = linkFor(state);
-    if (link === written) return;
+    if (away.leaves || !isDue(state, place) || link === written) return;
     const isStep = isElsewhere(state, place) && written;
     // One that "back" takes back: to all that the part before has come to.
     if (isStep) history.replaceState(null, '', `#${linkFor({ ...state, ...place })}`);
     away.replaced = isStep ? '' : location.href;
     history[isStep ? onward : 'replaceState'](null, '', `#${link}`);
     [written, place] = [link, placeOf(state)];
+    onWrite();
   };
 
   const soon = createPause(write);

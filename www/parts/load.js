@@ -78,7 +78,7 @@ export function createParts(parts, tools, onLoaded) {
 /** @typedef {ReturnType<typeof createPlace>} Place */
 
 /** As long as this what was open stays: most often all is there by then, and nothing has moved meanwhile. */
-const unnoticed = 400;
+export const unnoticed = 400;
 
 /** Where the page of a part, or the lesson, will be: it says what one waits for, or what went wrong. @param {string} name @param {() => void} onLate */
 export function createPlace(name, onLate) {

@@ -14,7 +14,9 @@ export function createBehind(store, sight, isComing) {
     const isHeld = last !== null && isComing(now);
     if (!last || !isHeld) last = seen;
     const isBehind = isHeld || seen.isComputing;
-    const { robot, size, theme, message, evolving } = now;
+    const { size, theme, message, evolving } = now;
+    // What was open and only stays has its own clock.
+    const { robot } = isHeld ? last.state : now;
     const state = isBehind ? { ...last.state, robot, size, theme, message, evolving } : now;
     return { now, state, scene: last.scene, isBehind };
   };

@@ -1,5 +1,6 @@
 // While a part is on its way what was open stays; where it is slow, or cannot be loaded, its place says so beside the plane alone.
 import assert from 'node:assert/strict';
+import { unnoticed } from '../../../www/parts/load.js';
 import { pageTest } from '../harness/browsers.js';
 import { serve } from '../harness/server.js';
 
@@ -74,7 +75,7 @@ pageTest('a part that cannot be loaded leaves the plane where it is, and says so
 /** However busy the machine is, nothing is late. */
 const patient = `
   const later = window.setTimeout.bind(window);
-  window.setTimeout = (act, time, ...given) => later(act, time === 400 ? 60_000 : time, ...given);`;
+  window.setTimeout = (act, time, ...given) => later(act, time === ${unnoticed} ? 60_000 : time, ...given);`;
 
 pageTest('until a part is there what was open stays as it is', async (page) => {
   const site = await serve(undefined, {

@@ -65,8 +65,10 @@ pageTest('where an exercise holds what a link of Park would change there is no s
       exercise,
     );
     assert.deepEqual(await ways(page), left, exercise);
-    const isBetween = await page.evaluate(() => document.getElementById('park-between') !== null);
-    assert.equal(isBetween, exercise !== 'hide=gains', exercise);
+    const [isBetween, hasKey] = await page.evaluate(() =>
+      ['#park-between', '.park-key'].map((one) => document.querySelector(one) !== null),
+    );
+    assert.deepEqual([isBetween, hasKey], Array(2).fill(exercise !== 'hide=gains'), exercise);
     await page.click('#keep-button');
     await page.until('Share is there', () => document.querySelector('#keep #keep-link'));
     const isShared = await page.evaluate(() => document.getElementById('keep-lab') !== null);

@@ -19,7 +19,7 @@ async function copyOf(page, file, saved, hasScripts) {
       name === file ? Buffer.from(saved) : !hasScripts && /\.js$/.test(name) ? null : content,
   });
   try {
-    await page.visit(`${site.address}${file}#lab&v=1&seed=7`);
+    await page.visit(`${site.address}${file}#lab&v=1&seed=7&lang=ko`);
     await page.until('all is there', () => document.readyState === 'complete');
     const seen = await page.evaluate(async () => {
       // Longer than the page takes to begin, if it did.
@@ -30,6 +30,7 @@ async function copyOf(page, file, saved, hasScripts) {
       return {
         said: messages.map((one) => one.innerText),
         links: messages.flatMap((one) => [...one.querySelectorAll('a')].map(({ href }) => href)),
+        head: document.querySelector('h1')?.innerText,
         pages: document.querySelectorAll('#pages a').length,
         inputs: document.querySelectorAll('#gains input').length,
       };
@@ -49,14 +50,17 @@ engineTest('a copy that a browser has saved says so, with its scripts and withou
       ['index.html', 'en', /^A browser saved this copy: .*Evolving a robot’s controller$/],
       ['ep-locomotion.html', 'ko', /^브라우저가 저장한 사본이라 .*[가-힣]$/],
     ])) {
-      const address = `${site.address}${file}#lab&v=1&seed=7&lang=${lang}`;
       await page.leave();
-      await page.visit(address);
+      await page.visit(`${site.address}${file}#lab&v=1&seed=7&lang=${lang}`);
       await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
+      await page.click('#one-generation');
+      await page.until('the address says so', () => location.hash.includes('generation=1'));
       const open = await page.evaluate(() => ({
+        address: location.href,
         saved: `<!doctype html>${document.documentElement.outerHTML}`,
         isSeen: /** @type {HTMLElement} */ (document.querySelector('#copy p')).checkVisibility(),
         height: /** @type {HTMLElement} */ (document.getElementById('copy')).offsetHeight,
+        head: document.querySelector('h1')?.innerText,
         pages: document.querySelectorAll('#pages a').length,
         inputs: document.querySelectorAll('#gains input').length,
       }));
@@ -68,8 +72,9 @@ engineTest('a copy that a browser has saved says so, with its scripts and withou
         const copy = await copyOf(page, file, saved, hasScripts);
         assert.equal(copy.said.length, 1, copy.said.join('\n'));
         assert.match(copy.said[0], said);
-        assert.deepEqual([copy.links, copy.problems], [[address], []]);
+        assert.deepEqual([copy.links, copy.problems], [[open.address], []]);
         assert.deepEqual([copy.pages, copy.inputs], [open.pages, open.inputs], `${file} runs doubled`);
+        assert.equal(copy.head, open.head);
       }
     }
   } finally {

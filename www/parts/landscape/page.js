@@ -7,6 +7,7 @@
 /** @import { Lowest } from './lowest.js' */
 /** @import { Point } from './points.js' */
 /** @import { MapModel } from './view.js' */
+import '../map.css';
 import './style.css';
 import { gainNames, landscapeSlice } from './state.js';
 import { followHeld, followKeys, followPointing, pointIn } from '../../kit/map.js';

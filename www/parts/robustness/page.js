@@ -7,6 +7,7 @@
 /** @import { Shading } from './scale.js' */
 /** @import { RobustnessState } from './state.js' */
 /** @import { MapModel } from './view.js' */
+import '../map.css';
 import './style.css';
 import './places.css';
 import { robustnessSlice } from './state.js';
