@@ -85,16 +85,19 @@ for (const language of ['en', 'ko'])
     if (page.engine !== 'chromium') return;
     /** @type {Record<string, string[]>} */
     const found = {};
+    // Without its language the page would be loaded again, in another.
+    const linkOf = (/** @type {number} */ step) => linkOfStep(step).replace('v=1', `v=1&lang=${language}`);
     try {
-      await page.open(`#lab&v=1&lang=${language}&lesson=1`);
+      await page.open(`#${linkOf(1)}`);
       for (const [i, name] of stepNames.entries()) {
         const selector = named[name];
         if (!selector) continue;
-        await follow(page, linkOfStep(i + 1));
+        await follow(page, linkOf(i + 1));
+        assert.equal(await page.evaluate(() => document.documentElement.lang), language);
         await lookAtEach(page, selector, name, found);
       }
       // Once its first question is answered the 32 robots stand over the curve.
-      await page.open(`#${linkOfStep(stepNames.indexOf('task') + 1).replace('v=1', `v=1&lang=${language}`)}`);
+      await page.open(`#${linkOf(stepNames.indexOf('task') + 1)}`);
       await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('.quiz .choice')).click());
       await page.until('the robots are there', () => document.querySelector('.swarm-picture canvas'));
       await lookAtEach(page, '#run', 'task, answered', found);

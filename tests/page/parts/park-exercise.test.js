@@ -66,7 +66,7 @@ pageTest('where an exercise holds what a link of Park would change there is no s
     );
     assert.deepEqual(await ways(page), left, exercise);
     const [isBetween, hasKey] = await page.evaluate(() =>
-      ['#park-between', '.park-key'].map((one) => document.querySelector(one) !== null),
+      ['#park-between', '.park-key'].map((one) => document.querySelector(one)?.checkVisibility() === true),
     );
     assert.deepEqual([isBetween, hasKey], Array(2).fill(exercise !== 'hide=gains'), exercise);
     await page.click('#keep-button');

@@ -37,7 +37,7 @@ export const park = {
     },
   ],
   places: {
-    gains: { lock: '#park-gains, .park-walk', hide: '#park-gains, .park-key, .park-walk' },
+    gains: { lock: '#park-gains, .park-walk', hide: '#park-gains, .park-walk' },
     run: { lock: '#park-evolve', hide: '#park-evolve' },
   },
   alone: true,
