@@ -24,12 +24,14 @@ for (let seed = first; seed < first + rounds; seed++)
         done.push(...(await run(`(${monkey})(...arguments)`, 1000 * seed + part, actions / 10, links)));
         assert.deepEqual(await run('window.collectedProblems'), [], `after\n${done.join('\n')}`);
       }
-      // A task may say whatever somebody has typed, and a program has its own words.
-      await run(`document.querySelectorAll('#task, #code-text').forEach((one) => one.replaceChildren())`);
-      const { text, works } = await run(`({
-        text: document.body.innerText,
-        works: !document.getElementById('instead')?.checkVisibility(),
-      })`);
+      // A task may say whatever somebody has typed, and a program, which may still come, has its own words: at once.
+      const { text, works } = await run(`(() => {
+        document.querySelectorAll('#task, #code-text').forEach((one) => one.replaceChildren());
+        return {
+          text: document.body.innerText,
+          works: !document.getElementById('instead')?.checkVisibility(),
+        };
+      })()`);
       assert.ok(works, `the page has given up after\n${done.join('\n')}`);
       // What somebody has typed is told in quotes.
       const [nonsense] = /.*(?:(?<!“)\bNaN\b|undefined|\[object).*/.exec(text) ?? [];
