@@ -6,7 +6,7 @@ import { setLettering } from './lettering.js';
 import { standingFree } from './names.js';
 import { watch } from './memo.js';
 import { colour } from './palette.js';
-import { multiples, roundStep } from './steps.js';
+import { multiples, roundStep, sameDigits } from './steps.js';
 
 /** @typedef {import('./canvas.js').Size} Size */
 /** @typedef {import('d3-scale').ScaleContinuousNumeric<number, number>} Scale */
@@ -77,20 +77,6 @@ export function levelsOn(scale) {
 /** Whole numbers, as generations are. @param {Scale} scale */
 export const wholeTicks = (scale) => ticksOn(scale, 56, { factors: [1, 2, 5], least: 1 });
 
-/** Digits after the point that mean anything. */
-const mostDigits = 15;
-
-/** As many digits as the step needs, at every tick. @param {readonly number[]} ticks */
-export function sameDigits(ticks) {
-  const step = ticks.length > 1 ? ticks[1] - ticks[0] : 1;
-  if (step >= 1000) return ticks.map((tick) => (tick === 0 ? '0' : `${tick / 1000}k`));
-  let digits = Math.min(mostDigits, Math.max(0, -Math.floor(Math.log10(Math.abs(step)) + 1e-9)));
-  // How far apart they are is not known to the last bit.
-  const isWhole = (/** @type {number} */ value) => Math.abs(value - Math.round(value)) < 1e-3;
-  while (digits < mostDigits && !isWhole(step * 10 ** digits)) digits += 1;
-  return ticks.map((tick) => tick.toFixed(digits));
-}
-
 /** A straight line on the pixels, as wide as was taken. @param {CanvasRenderingContext2D} context @param {readonly [number, number]} from @param {readonly [number, number]} to */
 export function line(context, from, to) {
   const { width, middle } = sharpLine(context, context.lineWidth);
@@ -116,10 +102,11 @@ export function drawGrid(context, { x, y, frame }, ticks, texts) {
   drawNumbersBeside(context, y, frame.left - 6, ticks.y, texts);
 }
 
-/** Numbers on the left, which end there; one that would touch another before it in the list is left out. @param {CanvasRenderingContext2D} context @param {(value: number) => number} y @param {number} right @param {readonly number[]} ticks @param {readonly string[]} texts */
+/** Numbers on the left, which end there, or begin at the edge; one that would touch another before it in the list is left out. @param {CanvasRenderingContext2D} context @param {(value: number) => number} y @param {number} right @param {readonly number[]} ticks @param {readonly string[]} texts */
 export function drawNumbersBeside(context, y, right, ticks, texts) {
   setLettering(context, { align: 'right' });
-  for (const i of standingFree(ticks.map(y))) context.fillText(texts[i], right, y(ticks[i]));
+  for (const i of standingFree(ticks.map(y)))
+    context.fillText(texts[i], Math.max(right, context.measureText(texts[i]).width + 1), y(ticks[i]));
 }
 
 /** The numbers below. @param {CanvasRenderingContext2D} context @param {(value: number) => number} x @param {number} bottom @param {readonly number[]} ticks @param {readonly string[]} texts */

@@ -2,9 +2,10 @@
 import assert from 'node:assert/strict';
 import fc from 'fast-check';
 import { scaleLinear } from 'd3-scale';
-import { levelsOn, pointsOf, sameDigits, ticksOn } from '../../../www/kit/chart.js';
+import { levelsOn, pointsOf, ticksOn } from '../../../www/kit/chart.js';
 import { extentOf, largest, outlineOf } from '../../../www/kit/extent.js';
 import { labelHeight, spread, standingFree } from '../../../www/kit/names.js';
+import { sameDigits } from '../../../www/kit/steps.js';
 import { test } from '../harness/once.js';
 
 const frame = { left: 40, right: 140, top: 10, bottom: 210 };
@@ -164,11 +165,22 @@ test('the numbers of an axis are their ticks, however near together these are', 
       const ticks = ticksOn(scaleLinear([low, high], [0, 400]), 50);
       const step = ticks[1] - ticks[0];
       for (const [i, text] of sameDigits(ticks).entries())
-        assert.ok(Math.abs(Number(text) - ticks[i]) < 1e-3 * step, `${text} for ${ticks[i]}`);
+        assert.ok(
+          Math.abs(Number(text.replace('−', '-')) - ticks[i]) < 1e-3 * step,
+          `${text} for ${ticks[i]}`,
+        );
     }),
   );
   assert.deepEqual(sameDigits([0, 0.25, 0.5]), ['0.00', '0.25', '0.50']);
   assert.deepEqual(sameDigits([0, 20, 40]), ['0', '20', '40']);
+  assert.deepEqual(sameDigits([-150, -100]), ['−150', '−100']);
+  // One alone has nothing to be told apart from.
+  assert.deepEqual(sameDigits([5.41]), ['5.41']);
+  assert.deepEqual(sameDigits([0]), ['0']);
+  assert.deepEqual(sameDigits([9000, 9500, 10_000]), ['9000', '9500', '10000']);
+  assert.deepEqual(sameDigits([0, 100_000, 200_000]), ['0', '100k', '200k']);
+  assert.deepEqual(sameDigits([11_600_000, 11_700_000]), ['11.6M', '11.7M']);
+  assert.deepEqual(sameDigits([-4e9, -2e9, 0]), ['−4G', '−2G', '0']);
 });
 
 test('where a picture is low the numbers of its axis stand closer, before one stands alone', () => {

@@ -2,11 +2,12 @@
 import { ticks } from 'd3-array';
 import { scaleLinear } from 'd3-scale';
 import { html, render, svg } from 'lit-html';
-import { sameDigits, ticksOn } from '../../kit/chart.js';
+import { ticksOn } from '../../kit/chart.js';
 import { create } from '../../kit/elements.js';
 import { followSize } from '../../kit/size.js';
 import { watch } from '../../kit/memo.js';
 import { styled } from '../../kit/templates.js';
+import { sameDigits } from '../../kit/steps.js';
 import { shapes } from '../../parts/generation/bell.js';
 import { isInitial } from '../../parts/generation/record.js';
 import { isOtherSearch } from '../../parts/generation/state.js';
@@ -151,7 +152,7 @@ export function numbersBelow(range, wide) {
   const x = scaleLinear(range, [0, wide]);
   const within = (/** @type {number} */ space) => {
     const all = ticksOn(x, space, { factors: [1, 2, 5] });
-    const texts = sameDigits(all).map((text) => text.replace('-', '−'));
+    const texts = sameDigits(all);
     return all
       .map((tick, i) => ({ at: x(tick) / wide, text: texts[i], width: digit * texts[i].length + between }))
       .filter(({ at, width }) => Math.min(at, 1 - at) * wide >= width / 2 - between);

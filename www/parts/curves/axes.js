@@ -1,7 +1,8 @@
 // What plots against time share: the end of their axis, its ticks and those of the other one, and the samples.
 /** @import { Run } from '../../core/engine.js' */
 /** @import { Axes, Scale } from '../../kit/chart.js' */
-import { drawNumbersBelow, sameDigits } from '../../kit/chart.js';
+import { drawNumbersBelow, levelsOn } from '../../kit/chart.js';
+import { sameDigits } from '../../kit/steps.js';
 import words from './words/index.js';
 
 /** So many times as long as the run in question others may take before they leave the picture. */
@@ -24,7 +25,10 @@ export function timeTicks(time) {
 }
 
 /** Of the other axis. @param {Pick<Axes, 'frame' | 'y'>} axes */
-export const ticksUp = ({ frame, y }) => y.ticks(Math.max(2, Math.floor((frame.bottom - frame.top) / 30)));
+export function ticksUp({ frame, y }) {
+  const ticks = y.ticks(Math.max(2, Math.floor((frame.bottom - frame.top) / 30)));
+  return ticks.length > 1 ? ticks : levelsOn(y);
+}
 
 /** @param {CanvasRenderingContext2D} context @param {Scale} time @param {number} bottom */
 export function drawTimeAxis(context, time, bottom) {

@@ -13,7 +13,6 @@ import {
   drawGrid,
   line,
   pointsOf,
-  sameDigits,
   strokeThrough,
   take,
   through,
@@ -21,6 +20,7 @@ import {
 } from '../../kit/chart.js';
 import { colour } from '../../kit/palette.js';
 import { rememberEach } from '../../kit/memo.js';
+import { sameDigits } from '../../kit/steps.js';
 import words from './words/index.js';
 import { drawTimeAxis, ticksUp, timeTicks } from './axes.js';
 import { curvesOf, extentsOf, layoutOf } from './layout.js';

@@ -3,9 +3,8 @@
 /** @import { PictureModel } from './picture.js' */
 import { tickStep, ticks as ticksOf } from 'd3-array';
 import { hasPairs } from '../../core/methods.js';
-import { sameDigits } from '../../kit/chart.js';
 import { svg } from '../../kit/elements.js';
-import { roundStep } from '../../kit/steps.js';
+import { roundStep, sameDigits } from '../../kit/steps.js';
 import words from './words/index.js';
 import { columnsOf, heightOf, margin } from './places.js';
 import { isInitial } from './record.js';

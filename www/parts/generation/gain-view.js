@@ -4,8 +4,9 @@
 /** @import { Place, Size } from './places.js' */
 /** @import { Anatomy, Phase } from './record.js' */
 import { scaleLinear } from 'd3-scale';
-import { sameDigits, ticksOn } from '../../kit/chart.js';
+import { ticksOn } from '../../kit/chart.js';
 import { svg } from '../../kit/elements.js';
+import { sameDigits } from '../../kit/steps.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
 import { margin } from './places.js';
@@ -58,7 +59,9 @@ function axesOf({ frame, across, x, y, isFirst }) {
   const { left, right, top, bottom } = frame;
   const rows = ticksOn(y, 44);
   const columns = ticksOn(x, 64);
-  const texts = textsOf(columns);
+  const levels = rows.filter((tick) => y(tick) > top + 18);
+  const named = columns.filter((tick) => x(tick) < right - 42 && x(tick) > left + 6);
+  const texts = textsOf(named);
   const zero = y(0);
   return [
     ...rows.map((tick) => svg('line', { x1: left, x2: right, y1: y(tick), y2: y(tick) })),
@@ -67,18 +70,12 @@ function axesOf({ frame, across, x, y, isFirst }) {
     ...(zero > top && zero < bottom
       ? [svg('line', { x1: left, x2: right, y1: zero, y2: zero, class: 'group' })]
       : []),
-    ...columns.flatMap((tick, i) =>
-      x(tick) < right - 42 && x(tick) > left + 6
-        ? [svg('text', { x: x(tick), y: bottom + 17, class: 'middle' }, texts[i])]
-        : [],
-    ),
+    ...named.map((tick, i) => svg('text', { x: x(tick), y: bottom + 17, class: 'middle' }, texts[i])),
     symbol(across, right - 4, bottom + 17),
     ...(isFirst
       ? [
-          ...textsOf(rows).flatMap((text, i) =>
-            y(rows[i]) > top + 18
-              ? [svg('text', { x: left - 8, y: y(rows[i]) + 4, class: 'end' }, text)]
-              : [],
+          ...textsOf(levels).map((text, i) =>
+            svg('text', { x: left - 8, y: y(levels[i]) + 4, class: 'end' }, text),
           ),
           symbol(up, left - 8, top + 8),
         ]
@@ -89,8 +86,8 @@ function axesOf({ frame, across, x, y, isFirst }) {
 /** Where all lies close together, how far from the first. @param {readonly number[]} ticks */
 function textsOf(ticks) {
   const step = ticks.length > 1 ? ticks[1] - ticks[0] : 1;
-  if (step >= 1e-3) return sameDigits(ticks).map((text) => text.replace('-', '−'));
-  return ticks.map((tick, i) => (i === 0 ? words.gainText(tick, 0.1) : words.awayText(tick - ticks[0])));
+  if (step >= 1e-3) return sameDigits(ticks);
+  return ticks.map((tick, i) => (i === 0 ? words.baseText(tick) : words.awayText(tick - ticks[0])));
 }
 
 /** @param {number} gain @param {number} x @param {number} y */

@@ -13,13 +13,13 @@ import {
   drawNumbersBelow,
   frameIn,
   pointsOf,
-  sameDigits,
   ticksOn,
   wholeTicks,
   within,
 } from '../../kit/chart.js';
 import { extentOf } from '../../kit/extent.js';
 import { drawName } from '../../kit/names.js';
+import { sameDigits } from '../../kit/steps.js';
 import words from './words/index.js';
 import { drawLineNames } from './curve-names.js';
 import { diameterOf, drawDots, drawRing, nearestDot, stackDots } from './dots.js';

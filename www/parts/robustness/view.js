@@ -5,10 +5,10 @@
 import { scaleLinear } from 'd3-scale';
 import { circle, createWatchedLayer, strokeTwice } from '../../kit/canvas.js';
 import { drawNumbersBelow, drawNumbersBeside, within } from '../../kit/chart.js';
+import { sameDigits } from '../../kit/steps.js';
 import { dark, drawFrame, drawShades, light, nameBeside } from '../../kit/map.js';
 import { kite } from '../../lab/track.js';
 import { colour } from '../../kit/palette.js';
-import { fixed } from '../../words/numbers.js';
 import words from './words/index.js';
 import { startOf } from './grid.js';
 import { fine } from './request.js';
@@ -152,14 +152,11 @@ function drawCells(context, grid, { values, few, part }, { frame, side, x, y }) 
 function drawAxes(context, { frame, side, isNamed, x, y }) {
   drawFrame(context, frame);
   const [across, up] = [x, y].map((scale) => scale.ticks(side > 260 ? 8 : 4));
-  const digits = Math.abs((across[1] ?? 1) % 1) > 1e-9 ? 1 : 0;
-  const texts = across.map((tick, i) => {
-    const text = fixed(tick, digits);
-    return i === across.length - 1 && !isNamed ? words.metres(text) : text;
-  });
+  const texts = sameDigits(across).map((text, i) =>
+    i === across.length - 1 && !isNamed ? words.metres(text) : text,
+  );
   drawNumbersBelow(context, (tick) => Math.min(x(tick), frame.right - 10), frame.bottom, across, texts);
-  const beside = up.map((tick) => fixed(tick, digits));
-  drawNumbersBeside(context, (tick) => Math.max(y(tick), frame.top + 6), frame.left - 8, up, beside);
+  drawNumbersBeside(context, (tick) => Math.max(y(tick), frame.top + 6), frame.left - 8, up, sameDigits(up));
   if (isNamed) nameAxes(context, frame);
 }
 

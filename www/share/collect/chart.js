@@ -11,7 +11,6 @@ import {
   drawUpright,
   frameIn,
   line,
-  sameDigits,
   take,
   levelsOn,
   ticksOn,
@@ -22,6 +21,7 @@ import { extentOf } from '../../kit/extent.js';
 import { once } from '../../kit/memo.js';
 import { drawAxisNames } from '../../kit/names.js';
 import { colour } from '../../kit/palette.js';
+import { sameDigits } from '../../kit/steps.js';
 import { lab } from '../../words/index.js';
 import { binsOf, kinds, reach } from './bins.js';
 import words from './words/index.js';

@@ -11,7 +11,7 @@ export const symbols = /** @type {const} */ ({
 export const units = /** @type {const} */ ({ position: 'm', theta: '', linear: 'm/s', angular: 'rad/s' });
 
 /** @param {string} name @param {string} number */
-export const tickText = (name, number) => `${number.replace('-', '−')}${name === 'theta' ? '°' : ''}`;
+export const tickText = (name, number) => `${number}${name === 'theta' ? '°' : ''}`;
 
 /** @param {string} number */
 export const seconds = (number) => `${number} s`;

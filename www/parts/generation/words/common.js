@@ -1,5 +1,6 @@
 // Of the generation part, what is the same in every language.
 /** @import { Anatomy } from '../record.js' */
+import { sameDigits } from '../../../kit/steps.js';
 import { costText, fixed, powerOfTen, powerText } from '../../../words/numbers.js';
 
 /** Who drives beside the chosen one: so many are drawn of them all, which the chosen one is one of or not; null: nobody can arrive. @typedef {{ drawn: number, all: number, isAmong: boolean, arrived: number | null }} Others */
@@ -84,6 +85,12 @@ export const formula = {
 
 /** The three others in a trial of differential evolution. */
 export const donorNames = ['a', 'b', 'c'];
+
+/** From what others are how far away: whole where it is short, else an ellipsis stands for the rest of its digits. @param {number} value */
+export function baseText(value) {
+  const [whole] = sameDigits([value]);
+  return whole.length <= 7 ? whole : `${fixed(Math.trunc(value * 1e3) / 1e3, 3)}…`;
+}
 
 /** How far from a tick that is written out. @param {number} value */
 export const awayText = (value) => `+${powerText(value, 2)}`;
