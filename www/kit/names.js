@@ -74,7 +74,7 @@ export function drawNames(context, size, frame, names) {
 /** What the axes show: beside the lower one and the half of its last number, and at the top of the other. @param {CanvasRenderingContext2D} context @param {Frame} frame @param {{ x?: string, y?: string }} names */
 export function drawAxisNames(context, frame, { x, y }) {
   if (x) drawName(context, { text: x, x: frame.right + 20, y: frame.bottom + 6 + high / 2 });
-  if (y) drawName(context, { text: y, x: frame.left - 50, y: frame.top + high / 2 });
+  if (y) drawName(context, { text: y, x: frame.left - 50, y: frame.top + high / 2 }, 0);
 }
 
 /** Which of several numbers at one side do not touch one before them in the list. @param {readonly number[]} heights @returns {number[]} */

@@ -40,7 +40,7 @@ function robotBar({ time, finalTime, playing, speed }, actions) {
     </button>
     ${selectOf('speed', texts.speed, strings.speeds, speed, (chosen) => actions.setSpeed(chosen))}
     <span id="clock" class="clock" translate="no">${text}</span>
-    <input id="scrub" type="range" min="0" step=${scrubStep} aria-label=${texts.scrub} aria-valuetext=${text}
+    <input id="scrub" type="range" min="0" step=${scrubStep(finalTime)} aria-label=${texts.scrub} aria-valuetext=${text}
       .max=${String(finalTime)} .value=${live(String(time))} ${filled(finalTime > 0 ? time / finalTime : 1)}
       @input=${(/** @type {Event} */ event) => actions.scrub(Number(valueIn(event)))}>`;
 }

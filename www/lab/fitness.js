@@ -15,7 +15,8 @@ import {
   within,
 } from '../kit/chart.js';
 import { extentOf } from '../kit/extent.js';
-import { drawAxisNames, drawNames, gutterOf, isNarrow, spreadBeside } from '../kit/names.js';
+import { drawAxisNames, drawNames, gutterOf, isNarrow, labelHeight, spreadBeside } from '../kit/names.js';
+import { sameDigits } from '../kit/steps.js';
 import { lab as strings } from '../words/index.js';
 import { createColumns } from './columns.js';
 
@@ -39,7 +40,12 @@ function drawCosts(context, size, model) {
     x: generationScale(history, frame),
     y: scaleLinear(costRange(model), [frame.bottom, frame.top]),
   };
-  drawGridOverWholes(context, axes, levelsOn(axes.y));
+  const levels = levelsOn(axes.y);
+  // A long number has no room beside the name of the axis.
+  const texts = sameDigits(levels).map((text, i) =>
+    text.length > 4 && axes.y(levels[i]) < frame.top + labelHeight ? '' : text,
+  );
+  drawGridOverWholes(context, axes, levels, texts);
   const lines = [
     { token: '--muted', width: 1.5, costs: columns.median },
     { token: '--ink', width: 2.5, costs: columns.best },

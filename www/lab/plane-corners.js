@@ -31,7 +31,8 @@ function standing({ view, ends, runs, isPaid }) {
   return [
     ...Object.values(ends).flatMap((end) => {
       const { px, py } = knobOf(view, end);
-      return [at(end, sizes.posture), around(px, py, 8)];
+      // Where nothing is free, they are the last to be written over.
+      return [...Array(3).fill(at(end, sizes.posture)), around(px, py, 8)];
     }),
     ...namesIn(view, ends, driving, isPaid, pins).map(roomOf),
     ...runs.map((run) => at(last(run), sizes.robot + 3)),

@@ -92,7 +92,8 @@ const powerText = (/** @type {number} */ power) => words.powerOfTen(Math.round(M
 function drawLineNames(context, size, { x, y, frame }, newest) {
   const [before, after] = words.sigmaOf;
   const names = lab.gains.map(({ letter, index }, i) => ({
-    text: [before + letter, index, after],
+    // 0 has no place on the axis.
+    text: [before + letter, index, newest.meanSigmas[i] === 0 ? `${after} = 0` : after],
     token: tokens[i],
     x: Math.min(x(newest.generation) + 10, frame.right + 6),
     y: Math.min(Math.max(y(newest.meanSigmas[i]) || frame.bottom, frame.top), frame.bottom - 8),

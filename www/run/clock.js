@@ -3,8 +3,8 @@
 
 const holdSeconds = 0.8;
 
-/** From one place of the clock's slider to the next, in seconds. */
-export const scrubStep = 0.01;
+/** From one place of the clock's slider to the next, in seconds; a drive that is over sooner has places, too. @param {number} finalTime */
+export const scrubStep = (finalTime) => (finalTime < 0.1 ? finalTime / 100 : 0.01);
 
 /**
  * The robot's clock some real seconds later. At the end it stops, or waits a moment and starts again.

@@ -105,6 +105,19 @@ export function numberOf(text) {
 export const textBelow = (value, limit, usual) =>
   [usual, sixDigits].map((write) => write(value)).find((text) => !(Number(text) >= limit)) ?? String(value);
 
+const closer = (/** @type {number} */ value) => (value < 1e6 ? sixDigits(value) : powerText(value, 6));
+
+/** Two numbers, with as few digits as tell them apart. @param {number} a @param {number} b @param {(value: number) => string} usual */
+export const textsApart = (a, b, usual) =>
+  [usual, closer, String].map((write) => [write(a), write(b)]).find(([one, other]) => one !== other) ?? [
+    usual(a),
+    usual(b),
+  ];
+
+/** A time of a drive: hundredths of a second, finer where it is over sooner. @param {number} time @param {number} finalTime */
+export const clockTime = (time, finalTime) =>
+  fixed(time, Math.max(2, 1 - Math.floor(Math.log10(finalTime || 1))));
+
 /** With a minus sign where it is below zero, within a formula. @param {number} value @param {number} digits */
 export function signed(value, digits) {
   return Math.abs(value) < 1e4 ? fixed(value, digits) : powerText(value, 2);

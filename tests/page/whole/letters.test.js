@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { pageTest } from '../harness/browsers.js';
 import { cluttered } from './cluttered.js';
+import { keepCut, takeCut } from './cut.js';
 import { excess, follow, overlapping } from './surround.js';
 import { views } from './views.js';
 
@@ -140,25 +141,8 @@ pageTest('with more space between letters, words, and lines no text of a chart i
     sheet.replaceSync(`* { line-height: 1.5 !important; letter-spacing: 0.12em !important; word-spacing: 0.16em !important; }
       p { margin-bottom: 2em !important; }`);
     document.adoptedStyleSheets.push(sheet);
-    const { fillText } = CanvasRenderingContext2D.prototype;
-    /** @type {Set<string>} */
-    const cut = new Set();
-    Object.assign(window, { cut });
-    CanvasRenderingContext2D.prototype.fillText = function (text, x, y) {
-      const { actualBoundingBoxLeft: left, actualBoundingBoxRight: right } = this.measureText(text);
-      const [from, to] = [-left, right].map(
-        (side) => this.getTransform().transformPoint({ x: x + side, y }).x,
-      );
-      if (from < -1 || to > this.canvas.width + 1) cut.add(`“${text}” is cut`);
-      fillText.call(this, text, x, y);
-    };
   });
+  await page.evaluate(keepCut);
   const links = ['lab&v=1', 'curves&v=1', 'luck&luck=contest', 'generation&v=1&generation=2'];
-  const found = await flawsIn(page, links, () => {
-    const { cut } = /** @type {any} */ (window);
-    const all = [...cut];
-    cut.clear();
-    return all;
-  });
-  assert.equal(found, '');
+  assert.equal(await flawsIn(page, links, takeCut), '');
 });

@@ -130,3 +130,35 @@ test('how long it took is told in milliseconds, and in seconds from one second o
     assert.equal(inKorean.tookText(milliseconds), text.replace(/ s$/, '초'));
   }
 });
+
+test('two numbers that differ are told apart, and what is the same is said to be', () => {
+  const statistics = (/** @type {number} */ cost) => ({ evaluations: 40, best: { cost } });
+  const told = (/** @type {number} */ from, /** @type {number} */ to) =>
+    [en, ko].map(({ lab }) => lab.progressText(statistics(from), statistics(to)));
+  assert.match(
+    told(11_822_967, 11_805_183).join(),
+    /1\.1823×10⁷ to 1\.18052×10⁷.*1\.1823×10⁷ → 1\.18052×10⁷/,
+  );
+  assert.match(told(8.5494, 8.5491).join(), /8\.5494 to 8\.5491.*8\.5494 → 8\.5491/);
+  assert.match(told(8.5494, 7.9).join(), /8\.549 to 7\.900.*8\.549 → 7\.900/);
+  assert.match(told(8.5494, 8.5494).join(), /is still 8\.549.*변화 없음: 8\.549/);
+});
+
+test('the clock of a drive has as many digits as the drive has places', () => {
+  const clocks = (/** @type {number} */ time, /** @type {number} */ end) =>
+    [en, ko].map(({ lab }) => lab.clockText(time, end));
+  assert.deepEqual(clocks(0.5, 1.53), ['0.50 of 1.53 s', '0.50 / 1.53초']);
+  assert.deepEqual(clocks(0.0005, 0.001), ['0.0005 of 0.0010 s', '0.0005 / 0.0010초']);
+  assert.deepEqual(clocks(0, 0), ['0.00 of 0.00 s', '0.00 / 0.00초']);
+});
+
+test('what the numbers of an axis count from is written whole, or says that it is not', () => {
+  for (const [value, text] of /** @type {const} */ ([
+    [0.00135, '0.00135'],
+    [-0.0005, '−0.0005'],
+    [3.09536, '3.09536'],
+    [14.4895812, '14.489…'],
+    [4, '4'],
+  ]))
+    assert.equal(en.generation.baseText(value), text);
+});

@@ -107,7 +107,8 @@ export function createClock({ store, finalTime }) {
     },
 
     /** The last step of a slider may come short of the end. @param {number} time */
-    scrub: (time) => standAt(time > 0 && finalTime() - time < scrubStep - 1e-9 ? finalTime() : time),
+    scrub: (time) =>
+      standAt(time > 0 && finalTime() - time < (1 - 1e-7) * scrubStep(finalTime()) ? finalTime() : time),
 
     /** As the page itself asks for it, where scrubbing may be locked. */
     standAt,

@@ -3,7 +3,17 @@
 /** @import { Driver, Restart, Until } from '../common/kinds.js' */
 import { isTracking } from '../../core/reference.js';
 import { counted } from './counted.js';
-import { costText, fixed, grouped, postureText, sixDigits, textBelow, wasText } from './numbers.js';
+import {
+  clockTime,
+  costText,
+  fixed,
+  grouped,
+  postureText,
+  sixDigits,
+  textBelow,
+  textsApart,
+  wasText,
+} from './numbers.js';
 
 export * from '../common/lab.js';
 export * from './computing.js';
@@ -162,7 +172,8 @@ export const planeText = (name, run, start, goal, time, others, pins) =>
   `Driving: ${name}, from ${postureText(start)} to ${postureText(goal)}; it ${outcomeText(run)}.${time && ` Shown at ${time}.`} ${others}${pins.length > 0 ? ` Pinned: ${pins.join('; ')}.` : ''}`;
 
 /** @param {number} time @param {number} finalTime */
-export const clockText = (time, finalTime) => `${fixed(time, 2)} of ${fixed(finalTime, 2)} s`;
+export const clockText = (time, finalTime) =>
+  `${clockTime(time, finalTime)} of ${clockTime(finalTime, finalTime)} s`;
 
 export const play = 'Let the robots drive';
 export const pause = 'Hold the robots';
@@ -216,7 +227,7 @@ export const restartText = (restart, population, isPapers) =>
 /** @param {Statistics} first @param {Statistics} newest */
 export function progressText(first, newest) {
   const drives = `${grouped(newest.evaluations)} drives so far`;
-  const [from, to] = [costText(first.best.cost), costText(newest.best.cost)];
+  const [from, to] = textsApart(first.best.cost, newest.best.cost, costText);
   return from === to
     ? `${drives}; the best J is still ${to}.`
     : `${drives} took the best J from ${from} to ${to}.`;

@@ -2,7 +2,17 @@
 /** @import { Posture, Run, Statistics } from '../../core/engine.js' */
 /** @import { Driver, Restart, Until } from '../common/kinds.js' */
 import { isTracking } from '../../core/reference.js';
-import { costText, fixed, grouped, postureText, sixDigits, textBelow, wasText } from './numbers.js';
+import {
+  clockTime,
+  costText,
+  fixed,
+  grouped,
+  postureText,
+  sixDigits,
+  textBelow,
+  textsApart,
+  wasText,
+} from './numbers.js';
 import { arrivedText } from './arrived.js';
 
 export * from '../common/lab.js';
@@ -154,7 +164,8 @@ export const planeText = (name, run, start, goal, time, others, pins) =>
   `주행: ${name}. 출발 ${postureText(start)}, 목표 ${postureText(goal)}. 결과: ${outcomeText(run)}.${time && ` 표시 시각: ${time}.`} ${others}${pins.length > 0 ? ` 고정한 주행: ${pins.join('; ')}.` : ''}`;
 
 /** @param {number} time @param {number} finalTime */
-export const clockText = (time, finalTime) => `${fixed(time, 2)} / ${fixed(finalTime, 2)}초`;
+export const clockText = (time, finalTime) =>
+  `${clockTime(time, finalTime)} / ${clockTime(finalTime, finalTime)}초`;
 
 export const play = '로봇 주행 시작';
 export const pause = '로봇 멈춤';
@@ -208,7 +219,7 @@ export const restartText = (restart, population, isPapers) =>
 /** @param {Statistics} first @param {Statistics} newest */
 export function progressText(first, newest) {
   const drives = `지금까지 주행 ${grouped(newest.evaluations)}회`;
-  const [from, to] = [costText(first.best.cost), costText(newest.best.cost)];
+  const [from, to] = textsApart(first.best.cost, newest.best.cost, costText);
   return from === to ? `${drives}, 최소 J 변화 없음: ${to}` : `${drives}, 최소 J: ${from} → ${to}`;
 }
 
