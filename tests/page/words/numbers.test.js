@@ -158,6 +158,7 @@ test('what the numbers of an axis count from is written whole, or says that it i
     [-0.0005, '−0.0005'],
     [3.09536, '3.09536'],
     [14.4895812, '14.489…'],
+    [-1e-10, '−1×10⁻¹⁰'],
     [4, '4'],
   ]))
     assert.equal(en.generation.baseText(value), text);

@@ -19,6 +19,8 @@ const gap = 24;
 /** What is nearer together than this part of its size cannot be told apart in a number. */
 const nearest = 1e-12;
 const tip = 8;
+/** About how wide a digit is, and what the letter of a gain needs at the end of its axis. */
+const [digit, letter] = [7, 28];
 /** A step ends before the mark of a robot and its ring. */
 const before = 13;
 
@@ -60,7 +62,7 @@ function axesOf({ frame, across, x, y, isFirst }) {
   const rows = ticksOn(y, 44);
   const columns = ticksOn(x, 64);
   const levels = rows.filter((tick) => y(tick) > top + 18);
-  const named = columns.filter((tick) => x(tick) < right - 42 && x(tick) > left + 6);
+  const named = columns.filter((tick) => x(tick) > left + 6);
   const texts = textsOf(named);
   const zero = y(0);
   return [
@@ -70,7 +72,11 @@ function axesOf({ frame, across, x, y, isFirst }) {
     ...(zero > top && zero < bottom
       ? [svg('line', { x1: left, x2: right, y1: zero, y2: zero, class: 'group' })]
       : []),
-    ...named.map((tick, i) => svg('text', { x: x(tick), y: bottom + 17, class: 'middle' }, texts[i])),
+    ...named.flatMap((tick, i) =>
+      x(tick) + (digit * texts[i].length) / 2 < right - letter
+        ? [svg('text', { x: x(tick), y: bottom + 17, class: 'middle' }, texts[i])]
+        : [],
+    ),
     symbol(across, right - 4, bottom + 17),
     ...(isFirst
       ? [

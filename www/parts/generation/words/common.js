@@ -89,11 +89,12 @@ export const donorNames = ['a', 'b', 'c'];
 /** From what others are how far away: whole where it is short, else an ellipsis stands for the rest of its digits. @param {number} value */
 export function baseText(value) {
   const [whole] = sameDigits([value]);
-  return whole.length <= 7 ? whole : `${fixed(Math.trunc(value * 1e3) / 1e3, 3)}…`;
+  if (whole.length <= 7) return whole;
+  return Math.abs(value) < 1e-3 ? powerText(value) : `${fixed(Math.trunc(value * 1e3) / 1e3, 3)}…`;
 }
 
 /** How far from a tick that is written out. @param {number} value */
-export const awayText = (value) => `+${powerText(value, 2)}`;
+export const awayText = (value) => `+${powerText(value, 2).replace(/^1×/, '')}`;
 
 /** A step or a slope. @param {number} value */
 export const signedText = (value) =>
