@@ -6,6 +6,7 @@
 import { parseArgs } from 'node:util';
 import { pageNames } from '../www/parts/parts.js';
 import { openChromium } from './chromium.mjs';
+import { probe } from './probe.mjs';
 import { Failure, needBuilt, task } from './run.mjs';
 import { serveCompressed } from './serve.mjs';
 
@@ -74,26 +75,6 @@ const cases = [
   ['4 600 unknown keys', `lab&v=1&${many}`],
   ['one key of 19 000 characters', `lab&v=1&${'k'.repeat(19_000)}=1`],
 ];
-
-/** Runs in the page before its scripts: times every call of the core on its thread. */
-const probe = `
-  window.longest = 0;
-  const { get } = Object.getOwnPropertyDescriptor(WebAssembly.Instance.prototype, 'exports');
-  const timed = (value) => typeof value !== 'function' ? value : (...args) => {
-    const start = performance.now();
-    try { return value(...args); } finally { longest = Math.max(longest, performance.now() - start); }
-  };
-  const known = new WeakMap();
-  Object.defineProperty(WebAssembly.Instance.prototype, 'exports', {
-    get() {
-      let exports = known.get(this);
-      if (exports === undefined) {
-        exports = Object.fromEntries(Object.entries(get.call(this)).map(([name, value]) => [name, timed(value)]));
-        known.set(this, exports);
-      }
-      return exports;
-    },
-  });`;
 
 /** @typedef {import('./chromium.mjs').Driver} Driver */
 

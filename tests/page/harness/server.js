@@ -1,5 +1,6 @@
 // Serves the built site from a sub-folder, as a course's host would, under the strictest content security policy that it
 // works under, and keeps a record of all that goes wrong.
+import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { extname, join, normalize, sep } from 'node:path';
@@ -109,4 +110,19 @@ export async function serve(root = dist, { policy = {}, before = '', send = (_, 
     problems,
     close,
   };
+}
+
+/** Something is done with a page that begins with this script. @param {import('./browsers.js').Page} page @param {string} before @param {() => Promise<void>} act */
+export async function beginningWith(page, before, act) {
+  const site = await serve(undefined, { before });
+  const usual = page.site;
+  page.site = site;
+  try {
+    await act();
+    assert.deepEqual(await page.problems(), []);
+  } finally {
+    await page.leave();
+    page.site = usual;
+    await site.close();
+  }
 }

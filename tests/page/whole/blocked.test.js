@@ -1,12 +1,14 @@
 // Whatever is asked for, the page's own thread is never held for long: what takes long goes to workers, and comes to the same.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
+import { probe } from '../../../.tasks/probe.mjs';
 import { isLongDrive, isLongEvolution, isLongRecord, isLongReplay } from '../../../www/core/bounds.js';
 import { Pending } from '../../../www/core/pending.js';
 import { links } from '../../../www/lesson/links.js';
 import { pageTest } from '../harness/browsers.js';
 import { createEngine, Evolution, experiment, Simulation, simulateAll, stability } from '../harness/core.js';
 import { test } from '../harness/once.js';
+import { beginningWith } from '../harness/server.js';
 import { holdWorkers } from '../harness/workers.js';
 
 /** @typedef {import('../../../www/core/engine.js').Experiment} Experiment */
@@ -184,3 +186,10 @@ pageTest('a heavy link opens once a worker has begun it, and Escape stops what g
     return isStopped && /^Stopped/.test(document.getElementById('message')?.textContent ?? '');
   });
 });
+
+pageTest('what npm run heavy puts before the page leaves it as it is, and sees the core at work', (page) =>
+  beginningWith(page, probe, async () => {
+    await page.open('#lab');
+    assert.ok((await page.evaluate(() => Reflect.get(window, 'longest'))) > 0);
+  }),
+);

@@ -4,7 +4,7 @@ import { linkOfStep, stepNames } from '../../../www/lesson/path.js';
 import { pageNames } from '../../../www/parts/parts.js';
 import { pageTest } from '../harness/browsers.js';
 import { saved } from '../harness/saved.js';
-import { serve } from '../harness/server.js';
+import { beginningWith } from '../harness/server.js';
 import { link as contest, openContest, runContest } from '../parts/contest-page.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -67,20 +67,8 @@ function age() {
     }
 }
 
-/** Opens what is served so in the place of the usual site. @param {Page} page @param {() => Promise<void>} act */
-async function inOlder(page, act) {
-  const site = await serve(undefined, { before: `(${age})();` });
-  const usual = page.site;
-  page.site = site;
-  try {
-    await act();
-    assert.deepEqual(await page.problems(), []);
-  } finally {
-    await page.leave();
-    page.site = usual;
-    await site.close();
-  }
-}
+/** @param {Page} page @param {() => Promise<void>} act */
+const inOlder = (page, act) => beginningWith(page, `(${age})();`, act);
 
 pageTest('an older browser opens every part and every step', (page) =>
   inOlder(page, async () => {
