@@ -4,9 +4,9 @@
 /** @typedef {{ from: readonly [number, number], to: readonly [number, number], stops: [number, string][] }} Gradient */
 /** @typedef {{ tile: HTMLCanvasElement, scale: number }} Pattern */
 /** @typedef {string | Gradient | Pattern} Paint */
-/** @typedef {{ paint: Paint, width: number, dash: number[], cap: string, join: string }} Stroke */
+/** @typedef {{ paint: Paint, opacity?: number, width: number, dash: number[], cap: string, join: string }} Stroke */
 /** @typedef {{ style: string, weight: string, size: number, family: string }} Font */
-/** @typedef {{ matrix: DOMMatrix, clips: readonly Clip[], alpha: number, fill: Paint | null, stroke: Stroke | null }} Look The stroke of a text lies under its fill, that of a shape over it. */
+/** @typedef {{ matrix: DOMMatrix, clips: readonly Clip[], alpha: number, fill: Paint | null, fillOpacity?: number, stroke: Stroke | null }} Look The stroke of a text lies under its fill, that of a shape over it. */
 /** @typedef {Look & { kind: 'shape', d: string }} Shape */
 /** @typedef {Look & { kind: 'text', text: string, x: number, y: number, anchor: 'start' | 'middle' | 'end', font: Font }} Text Its y is that of the baseline. */
 /** @typedef {Look & { kind: 'image', source: HTMLCanvasElement, box: readonly [number, number, number, number], smooth: boolean }} Image */

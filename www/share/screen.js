@@ -1,14 +1,15 @@
 // What a person sees in a part of the page, as marks: canvases, SVG, and the boxes and texts of HTML.
-/** @import { Clip, Font, Look, Mark, Stroke } from './marks.js' */
+/** @import { Font, Look, Mark, Stroke } from './marks.js' */
+/** @import { Place } from './vectors.js' */
 import { pictureOn } from '../kit/canvas.js';
 import { Outline } from './marks.js';
 import { drawnMarks, measured } from './recording.js';
+import { lookAt, strokeOf, vectorMarks } from './vectors.js';
 
 /** @typedef {{ left: number, top: number, width: number, height: number }} Box */
-/** @typedef {{ x: number, y: number, alpha: number }} Place Pixels of the picture's corner, and how opaque what is around is. */
 
-/** Controls and hints are no part of a picture. */
-const left = 'button, input, select, fieldset, label, progress, .hint, .visually-hidden';
+/** Controls and hints are no part of a picture, but a name that can be pressed is. */
+const left = 'button:not(.on-paper), input, select, fieldset, label, progress, .hint, .visually-hidden';
 const haloWidth = 5;
 
 /** @param {Element} element @param {Place} place @returns {Mark[]} */
@@ -37,9 +38,6 @@ function inOrder(element) {
   return [...element.childNodes].sort((a, b) => level(a) - level(b));
 }
 
-/** @param {Place} place @returns {Look} */
-const lookAt = ({ alpha }) => ({ matrix: new DOMMatrix(), clips: [], alpha, fill: null, stroke: null });
-
 /** @param {HTMLCanvasElement} canvas @param {Place} place @returns {Mark[]} */
 function canvasMarks(canvas, { x, y, alpha }) {
   const { left, top, width, height } = canvas.getBoundingClientRect();
@@ -54,75 +52,6 @@ function canvasMarks(canvas, { x, y, alpha }) {
     clips: mark.clips.map(({ d, matrix: own }) => ({ d, matrix: inPicture(own) })),
     alpha: alpha * mark.alpha,
   }));
-}
-
-/** @param {SVGElement} element @param {CSSStyleDeclaration} style @param {Place} place @returns {Mark[]} */
-function vectorMarks(element, style, place) {
-  const matrix = element instanceof SVGGraphicsElement && element.getScreenCTM();
-  if (!matrix) return [];
-  const inPicture = new DOMMatrix().translate(-place.x, -place.y).multiply(DOMMatrix.fromMatrix(matrix));
-  const look = {
-    ...lookAt(place),
-    matrix: inPicture,
-    clips: clipsOf(element, place),
-    fill: paintOf(style.fill),
-    stroke: strokeOf(style),
-  };
-  const d = shapeOf(element);
-  if (d !== null) return [{ kind: 'shape', d, ...look }];
-  const outline = new Outline(2);
-  if (element instanceof SVGLineElement) {
-    // Lines are stretched by their matrix, but not in their width.
-    for (const [end, x, y] of /** @type {const} */ ([
-      ['moveTo', element.x1, element.y1],
-      ['lineTo', element.x2, element.y2],
-    ])) {
-      const point = inPicture.transformPoint({ x: x.baseVal.value, y: y.baseVal.value });
-      outline[end](point.x, point.y);
-    }
-    return [{ kind: 'shape', d: outline.d, ...look, matrix: new DOMMatrix(), fill: null }];
-  }
-  return [];
-}
-
-/** @param {SVGElement} element @returns {string | null} */
-function shapeOf(element) {
-  const numbers = (/** @type {SVGAnimatedLength[]} */ ...lengths) =>
-    lengths.map(({ baseVal }) => baseVal.value);
-  if (element instanceof SVGPathElement) return element.getAttribute('d') ?? '';
-  if (element instanceof SVGRectElement) {
-    const [x, y, width, height] = numbers(element.x, element.y, element.width, element.height);
-    return `M${x} ${y}h${width}v${height}h${-width}Z`;
-  }
-  const isCircle = element instanceof SVGCircleElement;
-  if (!isCircle && !(element instanceof SVGEllipseElement)) return null;
-  const [cx, cy, rx, ry] = isCircle
-    ? numbers(element.cx, element.cy, element.r, element.r)
-    : numbers(element.cx, element.cy, element.rx, element.ry);
-  return `M${cx - rx} ${cy}a${rx} ${ry} 0 1 0 ${2 * rx} 0a${rx} ${ry} 0 1 0 ${-2 * rx} 0Z`;
-}
-
-/** The edge of its SVG, if nothing is seen beyond it. @param {SVGElement} element @param {Place} place @returns {Clip[]} */
-function clipsOf(element, { x, y }) {
-  const all = element.ownerSVGElement;
-  if (!all || getComputedStyle(all).overflow === 'visible') return [];
-  const { left, top, width, height } = all.getBoundingClientRect();
-  return [{ d: `M${left - x} ${top - y}h${width}v${height}h${-width}Z`, matrix: new DOMMatrix() }];
-}
-
-const paintOf = (/** @type {string} */ paint) => (paint === 'none' ? null : paint);
-
-/** @param {CSSStyleDeclaration} style @returns {Stroke | null} */
-function strokeOf({ stroke, strokeWidth, strokeDasharray, strokeLinecap, strokeLinejoin }) {
-  if (stroke === 'none') return null;
-  const dash = strokeDasharray === 'none' ? [] : strokeDasharray.split(/[ ,]+/).map(Number.parseFloat);
-  return {
-    paint: stroke,
-    width: Number.parseFloat(strokeWidth),
-    dash,
-    cap: strokeLinecap,
-    join: strokeLinejoin,
-  };
 }
 
 /** @param {Element} element @param {CSSStyleDeclaration} style @param {Place} place @returns {Mark[]} */
@@ -245,6 +174,7 @@ function textMarks(node, style, place) {
     kind: 'text',
     ...lookAt(place),
     fill: isVector ? style.fill : style.color,
+    fillOpacity: Number(style.fillOpacity),
     stroke: isVector ? strokeOf(style) : haloOf(style),
     text,
     x: { start: left, middle: (left + right) / 2, end: right }[side] - place.x,

@@ -72,14 +72,14 @@ function clipOf({ clips }, definitions) {
 
 /** @param {Mark} mark @param {Definitions} definitions */
 function element(mark, definitions) {
-  const { fill, stroke, alpha } = mark;
+  const { fill, fillOpacity, stroke, alpha } = mark;
   const opacity = alpha === 1 ? null : rounded(alpha);
   if (mark.kind === 'image') {
     const [x, y, width, height] = mark.box;
     const rendering = mark.smooth ? null : 'pixelated';
     return `<image ${attributes({ x, y, width, height, opacity, 'image-rendering': rendering, preserveAspectRatio: 'none', ...imageAs(mark.smooth ? mark.source : enlarged(mark.source)) })}/>`;
   }
-  const inside = paintAs('fill', fill ?? 'none', definitions);
+  const inside = paintAs('fill', fill ?? 'none', definitions, fillOpacity);
   const edge = stroke && strokeAs(stroke, definitions);
   if (mark.kind === 'shape')
     return mark.d ? `<path ${attributes({ d: mark.d, ...inside, ...edge, opacity })}/>` : '';
@@ -101,8 +101,8 @@ function element(mark, definitions) {
 }
 
 /** @param {Stroke} stroke @param {Definitions} definitions @returns {Record<string, string | null>} */
-const strokeAs = ({ paint, width, dash, cap, join }, definitions) => ({
-  ...paintAs('stroke', paint, definitions),
+const strokeAs = ({ paint, opacity, width, dash, cap, join }, definitions) => ({
+  ...paintAs('stroke', paint, definitions, opacity),
   'stroke-width': rounded(width, 5),
   'stroke-dasharray': dash.length > 0 ? dash.map((length) => rounded(length, 5)).join(' ') : null,
   'stroke-linecap': cap === 'butt' ? null : cap,
@@ -132,13 +132,20 @@ function withoutSpace(paint) {
     .join(', ')}, ${alpha})`;
 }
 
-/** @param {'fill' | 'stroke'} property @param {Paint} paint @param {Definitions} [definitions] @returns {Record<string, string | null>} */
-function paintAs(property, paint, definitions) {
-  if (typeof paint !== 'string')
-    return { [property]: `url(#${definitions && paintServer(paint, definitions)})` };
+/** @param {'fill' | 'stroke'} property @param {Paint} paint @param {Definitions} [definitions] @param {number} [opacity] @returns {Record<string, string | null>} */
+function paintAs(property, paint, definitions, opacity = 1) {
+  const own = typeof paint === 'string' ? withoutSpace(paint) : '';
   // Not every program knows a colour with an alpha.
-  const [, rgb, alpha] = /^rgba\((.*), ([\d.]+)\)$/.exec(withoutSpace(paint)) ?? [];
-  return rgb ? { [property]: `rgb(${rgb})`, [`${property}-opacity`]: alpha } : { [property]: paint };
+  const [, rgb, alpha = 1] = /^rgba\((.*), ([\d.]+)\)$/.exec(own) ?? [];
+  const whole = opacity * Number(alpha);
+  return {
+    [property]: rgb
+      ? `rgb(${rgb})`
+      : typeof paint === 'string'
+        ? paint
+        : `url(#${definitions && paintServer(paint, definitions)})`,
+    [`${property}-opacity`]: whole === 1 ? null : rounded(whole, 4),
+  };
 }
 
 /** @param {Gradient | Pattern} paint @param {Definitions} definitions */

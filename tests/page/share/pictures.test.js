@@ -110,14 +110,20 @@ for (const { name, setUp, pictures } of shown)
 pageTest('the picture beside the words of a step is a file too', async (page) => {
   // As wide as the strip of the law needs.
   await page.resize(1300, 900);
-  for (const [step, shapes, text] of /** @type {const} */ ([
+  for (const [step, shapes, text, ...also] of /** @type {const} */ ([
     ['law', 4, 'the sum of all'],
-    ['stability', 9, 'V 0'],
+    ['stability', 9, 'V 0', [/<path [^>]*stroke-opacity="0.45"/g, 5]],
     ['limits', 8, 'done'],
-    ['cost', 12, 'lowest'],
-    ['sigma', 20, 'born'],
+    // Names that can be pressed.
+    ['cost', 12, 'lowest', [/>Paper: EP<|>Paper: arbitrary<|>Gentle<|>By hand</g, 4]],
+    // The lines of descent, none stretched, through bells that one sees through.
+    [
+      ...['sigma', 20, 'born'],
+      [/fill="none" stroke="[^>]*stroke-width="1.5" stroke-dasharray="2 3"/g, 3],
+      [/<path d="M[\d. L]*" fill="[^>]* fill-opacity="0.14"/g, 30],
+    ],
     ['duel', 60, 'parked'],
-    ['disturbance', 5, 'Seen from above'],
+    ['disturbance', 5, 'Seen from above', [/fill-opacity="0.14"[^>]*stroke-dasharray="5 4"/g, 2]],
   ])) {
     await page.open(`#lesson&step=${step}`);
     await page.until(
@@ -136,6 +142,8 @@ pageTest('the picture beside the words of a step is a file too', async (page) =>
     assert.doesNotMatch(bytes.toString('utf8'), /color\(/, step);
     isPlain(bytes.toString('utf8'));
     assert.match(name, new RegExp(`-step-${step}-[0-9a-f]{8}\\.svg$`));
+    for (const [what, least] of also)
+      assert.ok((bytes.toString('utf8').match(what) ?? []).length >= least, `${step}: ${what}`);
   }
 });
 
