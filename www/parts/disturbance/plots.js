@@ -155,16 +155,15 @@ function drawAxes(context, axes, bound, isLast) {
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {Measured} measured @param {PartName} part */
-function drawSet(context, axes, { runs, disturbed }, part) {
+function drawSet(context, axes, measured, part) {
   const { frame } = axes;
-  const { time, ySet } = runs[0];
-  const reach = disturbed.sets[part][0];
+  const reach = measured.disturbed.sets[part][0];
   context.fillStyle = colour(`--${part}`);
   context.strokeStyle = colour(`--${part}`);
   context.lineWidth = 1.5;
   context.setLineDash([5, 4]);
   context.beginPath();
-  if (part === 'y') trace(context, axes, ...crests(time, ySet));
+  if (part === 'y') trace(context, axes, ...edgeOf(measured));
   else {
     context.moveTo(frame.left, axes.y(reach));
     context.lineTo(frame.right, axes.y(reach));
@@ -178,16 +177,23 @@ function drawSet(context, axes, { runs, disturbed }, part) {
   context.globalAlpha = 1;
 }
 
-/** The largest of each fifth of a second, because what trembles would hide the rest. @param {Float64Array} times @param {Float64Array} sizes @returns {[number[], number[]]} */
-function crests(times, sizes) {
+/** The set of y over time: as it is, but where it trembles. @param {Pick<Measured, 'spec' | 'runs'>} measured @returns {[ArrayLike<number>, ArrayLike<number>]} */
+export function edgeOf({ spec, runs: [{ time, ySet }] }) {
+  return spec.experiment.disturbance.kind === 'random' ? crests(time, ySet) : [time, ySet];
+}
+
+/** The largest of each fifth of a second, because what trembles would hide the rest; what is left at the end is no shorter. @param {Float64Array} times @param {Float64Array} sizes @returns {[number[], number[]]} */
+export function crests(times, sizes) {
   const each = Math.max(1, Math.round(words.crestSeconds / (times[1] - times[0])));
+  const last = times.length - 1;
   /** @type {[number[], number[]]} */
   const [crestTimes, crestSizes] = [[], []];
-  for (let from = 0; from < times.length; from += each) {
+  for (let from = 0; from < last; from += each) {
+    const first = Math.max(0, Math.min(from, last - each));
     crestTimes.push(times[from]);
-    crestSizes.push(largest(sizes.subarray(from, from + each)));
+    crestSizes.push(largest(sizes.subarray(first, first + each + 1)));
   }
-  crestTimes.push(times[times.length - 1]);
+  crestTimes.push(times[last]);
   crestSizes.push(crestSizes[crestSizes.length - 1]);
   return [crestTimes, crestSizes];
 }
