@@ -20,7 +20,9 @@ export function marksOf(element, place) {
   if (here.alpha === 0) return [];
   if (element instanceof HTMLCanvasElement) return canvasMarks(element, here);
   const own =
-    element instanceof SVGElement ? vectorMarks(element, style, here) : boxMarks(element, style, here);
+    element instanceof SVGElement && !(element instanceof SVGSVGElement)
+      ? vectorMarks(element, style, here)
+      : boxMarks(element, style, here);
   const children = inOrder(element).flatMap((node) =>
     node instanceof Element
       ? marksOf(node, here)
@@ -58,7 +60,23 @@ function canvasMarks(canvas, { x, y, alpha }) {
 function boxMarks(element, style, place) {
   const { left, top, width, height } = element.getBoundingClientRect();
   const box = { left: left - place.x, top: top - place.y, width, height };
-  return [...decorated(style, box, place), ...marksBefore(element, place)];
+  return [
+    ...decorated(style, box, place),
+    ...marksBefore(element, place),
+    ...barOf(element, style, box, place),
+  ];
+}
+
+/** The line of a fraction. @param {Element} element @param {CSSStyleDeclaration} style @param {Box} box @param {Place} place @returns {Mark[]} */
+function barOf({ localName, children: [above, below] }, { color }, { left, width }, place) {
+  if (localName !== 'mfrac') return [];
+  const y = (above.getBoundingClientRect().bottom + below.getBoundingClientRect().top) / 2 - place.y;
+  const line = new Outline(2);
+  line.moveTo(left, y);
+  line.lineTo(left + width, y);
+  return [
+    shape(line, lookAt(place), { stroke: { paint: color, width: 1, dash: [], cap: 'butt', join: 'miter' } }),
+  ];
 }
 
 /** The background of a box and its edges. @param {CSSStyleDeclaration} style @param {Box} box @param {Place} place @returns {Mark[]} */
@@ -139,14 +157,20 @@ function gradientOf(image, left, width) {
   };
 }
 
-/** The little box that stands before a text in a legend. @param {Element} element @param {Place} place @returns {Mark[]} */
+/** What stands before a text: a sign, or in a legend a little box. @param {Element} element @param {Place} place @returns {Mark[]} */
 function marksBefore(element, place) {
   const style = getComputedStyle(element, '::before');
-  if (style.content !== '""' || style.display !== 'inline-block') return [];
+  const [, sign] = /^"(.*)"$/.exec(style.content) ?? [];
+  if (sign === undefined || style.display !== (sign ? 'inline' : 'inline-block')) return [];
   const range = document.createRange();
   range.selectNodeContents(element);
   const [text] = range.getClientRects();
   if (!text) return [];
+  if (sign) {
+    const font = fontOf(style);
+    const [x, y] = [text.left - place.x, text.top + ascentOf(font) - place.y];
+    return [{ kind: 'text', ...lookAt(place), fill: style.color, text: sign, x, y, anchor: 'end', font }];
+  }
   const px = (/** @type {string} */ length) => Number.parseFloat(length) || 0;
   const outer = getComputedStyle(element);
   const width = px(style.width) + px(style.borderLeftWidth) + px(style.borderRightWidth);
@@ -163,9 +187,14 @@ function marksBefore(element, place) {
 
 /** @param {Text} node @param {CSSStyleDeclaration} style @param {Place} place @returns {Mark[]} */
 function textMarks(node, style, place) {
+  const parent = /** @type {Element} */ (node.parentElement);
   const font = fontOf(style);
+  // A letter in a formula leans, though its style does not say so.
+  if (parent.localName === 'mi' && node.length === 1) font.style = 'italic';
+  const isVector = parent instanceof SVGElement;
+  const { a, b } = (parent instanceof SVGGraphicsElement && parent.getScreenCTM()) || { a: 1, b: 0 };
+  font.size *= Math.hypot(a, b);
   const ascent = ascentOf(font);
-  const isVector = node.parentElement instanceof SVGElement;
   const anchor = isVector ? style.textAnchor : style.textAlign;
   const side = /** @type {'start' | 'middle' | 'end'} */ (
     { middle: 'middle', center: 'middle', right: 'end', end: 'end' }[anchor] ?? 'start'

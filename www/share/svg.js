@@ -89,7 +89,7 @@ function element(mark, definitions) {
     y: rounded(y),
     'text-anchor': anchor === 'start' ? null : anchor,
     'font-family': font.family,
-    'font-size': font.size,
+    'font-size': rounded(font.size),
     'font-weight': font.weight === '400' ? null : font.weight,
     'font-style': font.style === 'normal' ? null : font.style,
   };

@@ -111,16 +111,27 @@ pageTest('the picture beside the words of a step is a file too', async (page) =>
   // As wide as the strip of the law needs.
   await page.resize(1300, 900);
   for (const [step, shapes, text, ...also] of /** @type {const} */ ([
-    ['law', 4, 'the sum of all'],
-    ['stability', 9, 'V 0', [/<path [^>]*stroke-opacity="0.45"/g, 5]],
+    // Letters of formulas, which lean, and lines of fractions.
+    [
+      ...['law', 4, 'the sum of all'],
+      [/font-style="italic"[^>]*>k</g, 5],
+      [/<path d="M[\d.]+ ([\d.]+)L[\d.]+ \1" fill="none" stroke="rgb\(27, 31, 36\)" stroke-width="1"\/>/g, 2],
+    ],
+    // Its letters are scaled with the rest.
+    [
+      ...['stability', 9, 'V 0'],
+      [/<path [^>]*stroke-opacity="0.45"/g, 5],
+      [/font-size="\d+\.\d+"[^>]*>V 0</g, 1],
+    ],
     ['limits', 8, 'done'],
     // Names that can be pressed.
     ['cost', 12, 'lowest', [/>Paper: EP<|>Paper: arbitrary<|>Gentle<|>By hand</g, 4]],
-    // The lines of descent, none stretched, through bells that one sees through.
+    // The lines of descent, none stretched, through bells that one sees through, on an edge.
     [
       ...['sigma', 20, 'born'],
       [/fill="none" stroke="[^>]*stroke-width="1.5" stroke-dasharray="2 3"/g, 3],
       [/<path d="M[\d. L]*" fill="[^>]* fill-opacity="0.14"/g, 30],
+      [/<path d="M[\d. ]*L[\d. ]*" fill="none" stroke="rgb\(217, 220, 214\)"/g, 3],
     ],
     ['duel', 60, 'parked'],
     ['disturbance', 5, 'Seen from above', [/fill-opacity="0.14"[^>]*stroke-dasharray="5 4"/g, 2]],

@@ -13,7 +13,7 @@ export const sample = {
         {
           name: 'What remains of the error',
           key: 'disturbance',
-          texts: ['this drive', 'largest', '|sin', '2 s', 'its set'],
+          texts: ['this drive', 'largest', '|sin', '2 s', 'its set', '≈'],
           lines: 15,
         },
       ],
