@@ -70,3 +70,48 @@ pageTest('what comes of the map moves nothing of what stands there already', asy
     }
   }
 });
+
+/** Where the numbers of both axes are drawn when the map is drawn anew. @param {Page} page @returns {Promise<{ across: number[], up: number[] }>} */
+const numbersDrawn = (page) =>
+  page.until('the axes are drawn', () => {
+    /** @type {[string, number, number][]} */
+    const drawn = Reflect.get(globalThis, 'drawn');
+    // A number below has its top at its place.
+    const placesIn = (/** @type {string} */ baseline, /** @type {1 | 2} */ axis) => {
+      const places = drawn
+        .filter(([own]) => own === baseline)
+        .map((one) => Math.round(100 * one[axis]) / 100);
+      // It may be drawn twice.
+      return [...new Set(places)].sort((a, b) => a - b);
+    };
+    const found = { across: placesIn('top', 1), up: placesIn('middle', 2) };
+    return found.across.length > 1 && found.up.length > 1 && found;
+  });
+
+pageTest('each number of an axis stands at its place, the last as well', async (page) => {
+  await page.resize(1440, 900);
+  await page.open('#lab&v=1&sampleTime=0.05&goal.x=2&goal.y=2');
+  await page.evaluate(() => {
+    /** @type {[string, number, number][]} */
+    const drawn = [];
+    Object.assign(globalThis, { drawn });
+    const { prototype } = CanvasRenderingContext2D;
+    const { fillText } = prototype;
+    prototype.fillText = function (text, x, y) {
+      if (this.canvas.closest('#robustness-map') && /^−?[\d.]+$/.test(text))
+        drawn.push([this.textBaseline, x, y]);
+      fillText.call(this, text, x, y);
+    };
+  });
+  for (const half of ['4', '2']) {
+    await page.evaluate((own) => {
+      Reflect.set(Reflect.get(globalThis, 'drawn'), 'length', 0);
+      location.hash = `#robustness&v=1&sampleTime=0.05&half=${own}`;
+    }, half);
+    const { across, up } = await numbersDrawn(page);
+    for (const places of [across, up]) {
+      const apart = places.slice(1).map((place, i) => place - places[i]);
+      for (const one of apart) assert.ok(Math.abs(one - apart[0]) < 0.1, `±${half} m: ${places}`);
+    }
+  }
+});

@@ -29,11 +29,14 @@ import { fine } from './request.js';
  * @property {number} theme
  */
 
+/** Room on the right of the map: half of its last number. */
+const beside = 8;
+
 /** Where the map is large its axes have names. @param {MapModel['size']} size */
 const marginIn = ({ width, height }) =>
   Math.min(width, height) < 300
-    ? { left: 34, right: 8, top: 8, bottom: 26, isNamed: false }
-    : { left: 52, right: 8, top: 8, bottom: 44, isNamed: true };
+    ? { left: 34, right: beside, top: 8, bottom: 26, isNamed: false }
+    : { left: 52, right: beside, top: 8, bottom: 44, isNamed: true };
 
 /** Metres in pixels, the same on both axes and of every survey, also before there is one: the middles of the outer cells of the finest are half a cell inside. @param {Pick<MapModel, 'grid' | 'size'>} model */
 export function axesOf({ grid, size }) {
@@ -155,8 +158,11 @@ function drawAxes(context, { frame, side, isNamed, x, y }) {
   const texts = sameDigits(across).map((text, i) =>
     i === across.length - 1 && !isNamed ? words.metres(text) : text,
   );
-  drawNumbersBelow(context, (tick) => Math.min(x(tick), frame.right - 10), frame.bottom, across, texts);
-  drawNumbersBeside(context, (tick) => Math.max(y(tick), frame.top + 6), frame.left - 8, up, sameDigits(up));
+  // With digits that do not fit, or its unit, the last one would be cut at the edge.
+  const last = texts[texts.length - 1];
+  const most = () => frame.right + beside - context.measureText(last).width / 2;
+  drawNumbersBelow(context, (tick) => Math.min(x(tick), most()), frame.bottom, across, texts);
+  drawNumbersBeside(context, y, frame.left - 8, up, sameDigits(up));
   if (isNamed) nameAxes(context, frame);
 }
 
