@@ -28,20 +28,17 @@ export const outlineOf = (path) => /** @type {string} */ (outlines.get(path));
 const densities = new WeakMap();
 
 /**
- * A straight line that covers whole pixels of the screen: how wide it is, and where its middle lies. Where one pixel of CSS is no whole
- * number of them, both are moved as little as it takes.
+ * A straight line that covers whole pixels of the screen: how wide it is, and where its middle lies, as near to its place as can be.
+ * Where one pixel of CSS is no whole number of them, its width is moved as little as it takes; else it lies on pixels of CSS.
  * @param {CanvasRenderingContext2D} context @param {number} width
  */
 export function sharpLine(context, width) {
   const density = densities.get(context) ?? 1;
-  /** @param {number} at @param {number} [shift] From a whole pixel to the middle of the line. */
-  const onWhole = (at, shift = 0.5) => Math.round(at) + shift;
-  if (Number.isInteger(density)) return { width, middle: onWhole };
-  const pixels = Math.max(1, Math.round(width * density));
-  /** @type {typeof onWhole} */
-  const middle = (at, shift = 0.5) =>
-    (Math.round((at + shift) * density - pixels / 2) + pixels / 2) / density;
-  return { width: pixels / density, middle };
+  const [unit, pixels] = Number.isInteger(density)
+    ? [1, width]
+    : [density, Math.max(1, Math.round(width * density))];
+  const middle = (/** @type {number} */ at) => (Math.round(at * unit - pixels / 2) + pixels / 2) / unit;
+  return { width: pixels / unit, middle };
 }
 
 /** @param {HTMLCanvasElement} canvas */

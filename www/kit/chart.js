@@ -214,9 +214,8 @@ export function strokeThrough(context, points, stroke) {
 
 /** A line that is sharp where it is level. @param {CanvasRenderingContext2D} context @param {readonly (readonly [number, number])[]} points @param {Stroke} stroke */
 export function drawCurve(context, points, stroke) {
-  const shift = (stroke.width % 2) / 2;
   const { width, middle } = sharpLine(context, stroke.width);
-  const onPixels = points.map(([px, py]) => /** @type {const} */ ([middle(px, shift), middle(py, shift)]));
+  const onPixels = points.map(([px, py]) => /** @type {const} */ ([middle(px), middle(py)]));
   strokeThrough(context, onPixels, { ...stroke, width });
 }
 

@@ -40,7 +40,7 @@ export function drawCostAxis(layer, { anatomy, phase }, size) {
   };
   layer.replaceChildren(
     ...ticks.flatMap((tick) =>
-      height.scale(tick) > first ? [line(Math.round(height.scale(tick)) + 0.5)] : [],
+      height.scale(tick) > first ? [line(Math.floor(height.scale(tick)) + 0.5)] : [],
     ),
     ...ticks.flatMap((tick, i) =>
       height.scale(tick) > firstText ? [label(height.scale(tick), texts[i])] : [],
