@@ -164,7 +164,7 @@ pageTest('the bars are the core’s numbers at the robot’s clock, and follow a
   const { all } = seen(linkOf(step, 'all'));
   for (const at of [0, 13, 60]) assert.deepEqual(await barsAt(page, at / 100), rowsOf(all[at], [3, 8, 5]));
   assert.deepEqual(await barsAt(page, 60), rowsOf(all[all.length - 2], [3, 8, 5]), 'at the end');
-  const arrow = () => page.evaluate(() => document.querySelectorAll('#pushes .beyond-right').length);
+  const arrow = () => page.evaluate(() => document.querySelectorAll('#pushes .push-beyond.at-right').length);
   await barsAt(page, 0.13);
   assert.ok((await arrow()) > 0, 'what leaves the picture has an arrow');
 

@@ -111,10 +111,11 @@ pageTest('the picture beside the words of a step is a file too', async (page) =>
   // As wide as the strip of the law needs.
   await page.resize(1300, 900);
   for (const [step, shapes, text, ...also] of /** @type {const} */ ([
-    // Letters of formulas, which lean, and lines of fractions.
+    // Letters of formulas, which lean, lines of fractions, and on both sides of the bars the limits.
     [
       ...['law', 4, 'the sum of all'],
       [/font-style="italic"[^>]*>k</g, 5],
+      [/<path d="M([\d.]+) [\d.]+L\1 [\d.]+" fill="none" stroke="rgb\(89, 98, 109\)" [^>]*dasharray/g, 18],
       [/<path d="M[\d.]+ ([\d.]+)L[\d.]+ \1" fill="none" stroke="rgb\(27, 31, 36\)" stroke-width="1"\/>/g, 2],
     ],
     // Its letters are scaled with the rest.

@@ -82,7 +82,7 @@ function createSide(side, unit, words) {
       return bar(side, of, amount, sum);
     };
     const amounts = /** @type {Record<string, number>} */ (pushes?.[side] ?? {});
-    return html`<tbody .style=${`--free: ${50 * Math.min(free / reach[side], 1)}%`}>
+    return html`<tbody class=${free < reach[side] ? '' : 'unlimited'} .style=${`--free: ${50 * Math.min(free / reach[side], 1)}%`}>
       <tr><th class="push-unit muted" scope="rowgroup" colspan="3">${head} ${unit}</th></tr>
       ${pushes && terms.map((of) => next(of, amounts[of.term]))}
       ${pushes && isMoving ? next({ label: words.moving, colour: 'of-moving' }, pushes.reference[side]) : ''}
@@ -100,8 +100,13 @@ function bar(side, { label, colour, term }, amount, sum = amount) {
   return html`<tr class=${colour} data-term=${term ?? nothing}>
     <th class="push-name" scope="row">${label}</th>
     <td class="push-cell"><span class="push-track"
-      ><span class="push ${right ? 'beyond-right' : ''} ${left ? 'beyond-left' : ''}" .style=${`left: ${50 + 50 * at(low)}%; right: ${50 - 50 * at(high)}%`}></span
+      ><span class="push-free"></span><span class="push-zero"></span
+      ><span class="push" .style=${`left: ${50 + 50 * at(low)}%; right: ${50 - 50 * at(high)}%`}>${left ? beyond('◀') : nothing}${right ? beyond('▶', 'at-right') : nothing}</span
     ></span></td>
     <td class="push-value">${signed(amount, 2)}</td>
   </tr>`;
 }
+
+/** Where a piece is cut. @param {string} sign @param {string} [side] */
+const beyond = (sign, side = '') =>
+  html`<span class=${`push-beyond ${side}`} aria-hidden="true">${sign}</span>`;
