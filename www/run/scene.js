@@ -1,8 +1,9 @@
 // Everything that drives, as a function of the state.
-/** @import { Experiment, Individual, PaperResult, Run, Triple } from '../core/engine.js' */
+/** @import { Experiment, Individual, PaperResult, Posture, Run, Triple } from '../core/engine.js' */
 /** @import { Driven } from './pins.js' */
 /** @import { Driver, State, Trial } from './state.js' */
 import { Pending, together } from '../core/pending.js';
+import { hasMovingReference } from '../core/reference.js';
 import { remember } from '../kit/memo.js';
 import { isLost } from '../words/errors.js';
 import { gainsOf, rivalOf } from './drivers.js';
@@ -65,14 +66,30 @@ function createOthers(drive) {
 }
 
 /** @param {Experiment} experiment @param {Trial} trial @returns {Experiment} */
-export const tried = (experiment, trial) =>
-  trial === noTrial
-    ? experiment
-    : {
-        ...experiment,
-        starts: trial.start ? [trial.start] : experiment.starts,
-        ...(trial.disturbance && withDisturbance(trial.disturbance)),
-      };
+export function tried(experiment, trial) {
+  if (trial === noTrial) return experiment;
+  const starts = trial.start ? [trial.start] : experiment.starts;
+  if (!trial.disturbance) return { ...experiment, starts };
+  const [first, ...others] = starts;
+  return {
+    ...experiment,
+    starts: [offGoal(experiment, first), ...others],
+    ...withDisturbance(trial.disturbance),
+  };
+}
+
+/**
+ * Where a drive begins that is disturbed: exactly at the goal it would have arrived before anything pushes it, so there it is turned
+ * by what nobody sees.
+ * @param {Pick<Experiment, 'goal' | 'referenceVelocity'>} experiment @param {Posture} start @returns {Posture}
+ */
+export function offGoal({ goal, referenceVelocity }, start) {
+  const isThere =
+    start.x === goal.x && start.y === goal.y && Math.abs(Math.sin((start.theta - goal.theta) / 2)) < 1e-10;
+  if (!isThere || hasMovingReference({ referenceVelocity })) return start;
+  // Towards 0, so that no heading leaves its range.
+  return { ...start, theta: start.theta - (start.theta < 0 ? -1e-9 : 1e-9) };
+}
 
 /** A disturbed robot drives on at the goal, so that one sees how near it stays. @param {Experiment['disturbance']} disturbance */
 export const withDisturbance = (disturbance) => ({

@@ -1,6 +1,7 @@
 // What Disturbance says in whole sentences.
 import assert from 'node:assert/strict';
 import { createSpec } from '../../../www/parts/disturbance/request.js';
+import { tried } from '../../../www/run/scene.js';
 import { hasAnother, placeOf, summarize } from '../../../www/parts/disturbance/summary.js';
 import * as en from '../../../www/parts/disturbance/words/en.js';
 import * as korean from '../../../www/parts/disturbance/words/ko.js';
@@ -175,4 +176,27 @@ test('what is tried is called so where the experiment has another disturbance', 
   const own = { ...slip, kind: /** @type {const} */ ('random') };
   assert.equal(en.ownText(own), 'only tried here; in the experiment: random, 0.1 m/s, 0.2 rad/s');
   assert.match(ko.ownText(own), /실험의 외란: 무작위, 0.1 m\/s, 0.2 rad\/s/);
+});
+
+test('put on the goal it is pushed and drives, in the measurement as on the plane; elsewhere it begins where it was put', () => {
+  const disturbance = { kind: /** @type {const} */ ('slip'), linear: 0.1, angular: 0.2, seed: 1 };
+  const specOf = createSpec(/** @type {any} */ (core), []);
+  /** @param {Partial<Experiment>} more @param {import('../harness/core.js').Experiment['starts'][number]} start */
+  const beganAt = (more, start) => {
+    const trial = { start, disturbance };
+    const own = experiment({ ...preset, ...more });
+    const state = { experiment: own, tried: disturbance, trial, driver: 'hand', handGains: [3, 1, 5] };
+    const driven = tried(own, trial);
+    assert.deepEqual(specOf(/** @type {any} */ (state)).experiment.starts[0], driven.starts[0]);
+    return { from: driven.starts[0], run: core.simulate(driven, [3, 1, 5], 0) };
+  };
+  for (const theta of [0, 1, -Math.PI, 100, -100]) {
+    const goal = { x: 2, y: 2, theta };
+    for (const turns of Math.abs(theta) === 100 ? [0] : [0, 2 * Math.PI])
+      assert.equal(beganAt({ goal }, { ...goal, theta: theta + turns }).run.finalTime, 10, `${theta}`);
+    const beside = { ...goal, theta: theta * 0.99 + 1e-3 };
+    assert.equal(beganAt({ goal }, beside).from, beside);
+  }
+  const moving = { referenceVelocity: { linear: 0.1, angular: 0 } };
+  assert.equal(beganAt(moving, preset.goal).from, preset.goal);
 });

@@ -7,7 +7,7 @@ import { messageOf } from '../../words/errors.js';
 import { remember } from '../../kit/memo.js';
 import { endsOf } from '../../run/state.js';
 import { gainsOf } from '../../run/drivers.js';
-import { undisturbed, withDisturbance } from '../../run/scene.js';
+import { offGoal, undisturbed, withDisturbance } from '../../run/scene.js';
 import { usualStarts } from './numbers.js';
 
 /** @typedef {import('../../core/engine.js').ErrorParts} ErrorParts */
@@ -34,7 +34,11 @@ export function createSpec(engine, paper) {
       const affordable = Math.floor((mostSamples * sampleTime) / horizon);
       const others = startsAround(goal.x, goal.y, Math.max(1, Math.min(circle.count, affordable)));
       return {
-        experiment: { ...experiment, ...withDisturbance(disturbance), starts: [start, ...others] },
+        experiment: {
+          ...experiment,
+          ...withDisturbance(disturbance),
+          starts: [offGoal(experiment, start), ...others],
+        },
         gains,
         seconds: Math.min(measuredSeconds, horizon),
       };
