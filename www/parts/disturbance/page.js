@@ -51,7 +51,7 @@ export function createPage(tools) {
               ${tableButton('disturbance', measured, (shown) => remainsTable(summaryOf(shown)))}
               <p id="disturbance-note" class=${message ? 'field-error' : 'muted'}>${message ? words.failed(message, measured !== null) : noteOf(tried, own)}</p>
             </div>
-            ${controlsOf(tried, error)} ${tableOf(measured && summaryOf(measured))}`,
+            ${controlsOf(tried, error)} ${tableOf(measured && summaryOf(measured), !measured && message !== '')}`,
           element,
         );
       }

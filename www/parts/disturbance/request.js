@@ -3,10 +3,10 @@
 /** @import { State } from '../../run/state.js' */
 /** @import { Store } from '../../run/store.js' */
 import { disturbanceSlice } from './state.js';
-import { messageOf } from '../../words/errors.js';
 import { remember } from '../../kit/memo.js';
 import { endsOf } from '../../run/state.js';
 import { gainsOf } from '../../run/drivers.js';
+import { messageAround } from '../around.js';
 import { offGoal, undisturbed, withDisturbance } from '../../run/scene.js';
 import { usualStarts } from './numbers.js';
 
@@ -68,7 +68,7 @@ export function createRequests(engine, store) {
     } catch (error) {
       isRunning = false;
       // Asked for no more, until it is retried: what was measured last stays, and the page says why.
-      update({ message: messageOf(error) });
+      update({ message: messageAround(error) });
     }
   };
 

@@ -8,14 +8,14 @@ import { parts } from './summary.js';
 
 const { texts } = words;
 
-/** @param {Summary | null} summary Nothing is in sight until there is one. */
-export const tableOf = (summary) => html`
+/** @param {Summary | null} summary Nothing is in sight until there is one. @param {boolean} isVain None comes: its place is not kept. */
+export const tableOf = (summary, isVain) => html`
   <ul id="remains-legend" class="remains-legend lines row muted" data-picture="disturbance"
-    data-name=${texts.disturbancePicture} aria-hidden="true">
+    data-name=${texts.disturbancePicture} aria-hidden="true" ?hidden=${isVain}>
     ${Object.entries(words.legend).map(([name, text]) => (name === 'set' && !hasSets(summary) ? nothing : html`<li class=${name}>${text}</li>`))}
   </ul>
   <table id="remains" class="remains${summary ? '' : ' unmeasured'}" data-picture="disturbance"
-    aria-labelledby="disturbance-title remains-caption">
+    aria-labelledby="disturbance-title remains-caption" ?hidden=${isVain}>
     <thead>
       <tr>
         <th id="remains-caption" class="remains-caption" scope="col">${summary && words.captionText(summary)}</th>
@@ -26,7 +26,7 @@ export const tableOf = (summary) => html`
     </thead>
     <tbody id="remains-rows">${parts.map((part) => rowOf(part, summary))}</tbody>
   </table>
-  <p id="remains-text" class="remains-text">${summary && words.summaryText(summary)}</p>`;
+  <p id="remains-text" class="remains-text" ?hidden=${isVain}>${summary && words.summaryText(summary)}</p>`;
 
 /** Until there is a summary nothing speaks against them. @param {Summary | null} summary */
 const hasSets = (summary) => summary === null || words.isPromised(summary);

@@ -3,11 +3,11 @@
 /** @import { Driver, State } from '../../run/state.js' */
 /** @import { Store } from '../../run/store.js' */
 /** @import { Grid, Tally } from './grid.js' */
-import { messageOf } from '../../words/errors.js';
 import { robustnessSlice } from './state.js';
 import { createRefining } from '../../core/refine.js';
 import { once, remember } from '../../kit/memo.js';
 import { gainsOf } from '../../run/drivers.js';
+import { messageAround } from '../around.js';
 import { gridAround, tally } from './grid.js';
 
 /** @typedef {'share' | 'time' | 'cost'} Quantity What a colour means. */
@@ -45,7 +45,7 @@ export function createSurveyRequests(engine, store) {
     return { spec, grid, runs, tally: tally(runs), milliseconds: performance.now() - began };
   };
   const { now, update } = robustnessSlice.at(store);
-  const onFailure = (/** @type {unknown} */ error) => update({ message: messageOf(error) });
+  const onFailure = (/** @type {unknown} */ error) => update({ message: messageAround(error) });
   const own = createRefining({
     counts: [coarse, fine],
     compute,

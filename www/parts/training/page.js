@@ -17,6 +17,7 @@ import { lab } from '../../words/index.js';
 import words from './words/index.js';
 import { hidesPaper } from '../../run/exercise.js';
 import { isFree } from '../../run/guard.js';
+import { isAtEdge } from '../around.js';
 import { changesOf } from '../changes.js';
 import { hasMovingReference } from '../../core/reference.js';
 import { createPicture, signs } from './picture.js';
@@ -116,6 +117,7 @@ function createEvents({ store, actions }, training, rowsOf) {
 
   /** @param {Posture} start */
   const tryFrom = (start) => {
+    if (isAtEdge(trainingSlice.of(store.get()))) return;
     choose(chosenOf(store.get()));
     actions.tryStart(start);
   };
@@ -125,8 +127,9 @@ function createEvents({ store, actions }, training, rowsOf) {
 
   /** @param {RowName | null} [usual] Which row drives then, if none was chosen; else the one that comes furthest. */
   const evolve = async (usual) => {
-    if (trainingSlice.of(store.get()).progress !== null) return training.cancel();
-    if (!(await training.evolve())) return;
+    const own = trainingSlice.of(store.get());
+    if (own.progress !== null) return training.cancel();
+    if (isAtEdge(own) || !(await training.evolve())) return;
     // The newest gains drive, unless those of somebody else were chosen.
     const { chosen, evolved } = trainingSlice.of(store.get());
     const isUnchosen = chosen === null || chosen === led;
@@ -209,8 +212,10 @@ function createRows() {
  */
 function sight(state, rows, titles, readout, { choose, evolve, spread: onSpread, update }) {
   const { experiment } = state;
-  const { evolved, spread, message, cancelled, progress, generations } = trainingSlice.of(state);
+  const own = trainingSlice.of(state);
+  const { evolved, spread, message, cancelled, progress, generations } = own;
   const runs = progress !== null;
+  const isVain = isAtEdge(own) && !runs;
   const hasNoSeeds = runs || !evolved || spread !== null;
   const changes = evolved ? changesOf(evolved.experiment, experiment) : [];
   const status = [
@@ -226,9 +231,10 @@ function sight(state, rows, titles, readout, { choose, evolve, spread: onSpread,
       <p id="training-status" class="training-status" role="status">${status.join(' ')}</p>
     </div>
     <div class="bar training-controls">
-      <button id="training-evolve" type="button" class=${runs ? '' : 'primary'} data-other=${words.evolveAll} @click=${unlessDouble(evolve)}>${
-        runs ? words.cancel : evolved ? words.evolveAgain : words.evolveAll
-      }</button>
+      <button id="training-evolve" type="button" class=${runs ? '' : 'primary'} data-other=${words.evolveAll}
+        aria-disabled=${String(isVain)} @click=${unlessDouble(evolve)}>${
+          runs ? words.cancel : evolved ? words.evolveAgain : words.evolveAll
+        }</button>
       ${selectOf('training-generations', texts.trainingGenerations, lengthChoices, generations, (chosen) => update({ generations: chosen }))}
       <button id="training-seeds" type="button" title=${words.seedsHint(seedCount)} aria-disabled=${String(hasNoSeeds)}
         @click=${unless(hasNoSeeds, onSpread)}>${words.seedsButton(seedCount)}</button>
@@ -244,7 +250,7 @@ function sight(state, rows, titles, readout, { choose, evolve, spread: onSpread,
       <canvas id="training-unseen" role="application" tabindex="0" aria-describedby="training-readout" aria-label=${words.pictureLabel(titles[1])}></canvas>
     </div>
     <p id="training-readout" class="visually-hidden" aria-live="polite">${readout}</p>
-    <p id="training-key" class="muted training-key" data-picture="training">${follows ? nothing : html`${sign('arrives')} ${words.signs.arrives} ${sign('misses')} ${words.signs.misses} `}<span class="hint">${words.pressOne}</span> ${words.key(
+    <p id="training-key" class="muted training-key" data-picture="training">${follows ? nothing : html`${sign('arrives')} ${words.signs.arrives} ${sign('misses')} ${words.signs.misses} `}${isVain ? nothing : html`<span class="hint">${words.pressOne}</span>`} ${words.key(
       unseenCount,
       unseenRadius,
       experiment.horizon,

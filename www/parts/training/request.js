@@ -5,10 +5,10 @@
 /** @import { Store } from '../../run/store.js' */
 /** @import { SetName } from './sets.js' */
 import { trainingSlice } from './state.js';
-import { messageOf } from '../../words/errors.js';
 import { createRefining } from '../../core/refine.js';
 import { once, remember } from '../../kit/memo.js';
 import { gainsOf } from '../../run/drivers.js';
+import { messageAround } from '../around.js';
 import { createAttempts } from '../attempt.js';
 import { changesOf } from '../changes.js';
 import { createSets, setNames, testOn } from './sets.js';
@@ -128,7 +128,7 @@ export function createTraining(engine, store, paper) {
       return { spec, results: await testRobots(engine, setsOf(experiment), experiment, robots, options) };
     },
     onResult: (result) => update({ given: result, message: '' }),
-    onFailure: (error) => update({ message: messageOf(error) }),
+    onFailure: (error) => update({ message: messageAround(error) }),
   });
 
   const specOf = createSpec();

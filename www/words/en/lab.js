@@ -264,6 +264,10 @@ export const gainsNote = (driver, isPapers, cost) =>
     'paper-arbitrary': 'chosen without evolution',
   })[driver];
 
+/** Where starts around it are asked for. */
+export const goalAtEdge =
+  'the goal is too near the edge of the plane, ±1000 m: starts around it would lie beyond';
+
 export const gainsReplaced = 'Undo (Ctrl+Z) brings yours back';
 
 /** @param {string} name */

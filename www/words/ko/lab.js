@@ -256,6 +256,9 @@ export const gainsNote = (driver, isPapers, cost) =>
     'paper-arbitrary': '진화 없이 정한 이득',
   })[driver];
 
+/** Where starts around it are asked for. */
+export const goalAtEdge = '목표가 평면의 끝(±1000 m)에 너무 가까워, 그 둘레의 출발점이 평면을 벗어납니다';
+
 export const gainsReplaced = '되돌리기(Ctrl+Z)로 내 이득 되찾기';
 
 /** @param {string} name */
