@@ -101,3 +101,26 @@ pageTest('the row that comes furthest drives, until somebody chooses another', a
   assert.equal((await evolveAgain(page, finding)).rows, 'training-circle');
   assert.deepEqual(await page.problems(), []);
 });
+
+pageTest('both costs stand in their columns, however many digits they have', async (page) => {
+  for (const link of [
+    'weights.velocity=100000,1000',
+    'goal.x=-150&goal.y=-150',
+    'goal.x=900&goal.y=900&lang=ko',
+  ])
+    for (const width of [320, 390, 430, 1440]) {
+      await page.resize(width, 844);
+      await page.open(`#training&v=1&${link}`);
+      await page.until('the paper’s gains have driven', () =>
+        /\d{4}|×/.test(document.querySelector('#training-paper-ep .training-own')?.textContent ?? ''),
+      );
+      const found = await page.evaluate(() => {
+        const wide = [...document.querySelectorAll('#training-table :is(thead th, td)')].filter(
+          (cell) => cell.scrollWidth > cell.clientWidth,
+        );
+        const { scrollWidth, clientWidth } = document.documentElement;
+        return { wide: wide.map(({ textContent }) => textContent), beyond: scrollWidth - clientWidth };
+      });
+      assert.deepEqual(found, { wide: [], beyond: 0 }, `${link}, ${width}`);
+    }
+});

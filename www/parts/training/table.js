@@ -13,8 +13,11 @@ import { isSet } from './sets.js';
 /** @param {readonly Row[]} rows @param {Spread | null} spread @param {RowName} chosen @param {{ unseen: number, own: number, follows: boolean }} counts How many starts are never seen, and how many are the experiment's own; whether nobody arrives, because the reference moves. @param {(name: RowName) => void} onChoose */
 export function tableOf(rows, spread, chosen, counts, onChoose) {
   const heads = words.columnsOf(counts.unseen, counts.own);
+  const isLong = rows.some(
+    ({ result }) => result && [result.unseen.cost, result.own].some((cost) => words.cost(cost).length > 5),
+  );
   return html`
-    <table id="training-table" class="training-table" aria-label=${words.texts.trainingTable}>
+    <table id="training-table" class="training-table ${isLong ? 'long' : ''}" aria-label=${words.texts.trainingTable}>
       <thead><tr>${heads.map((text, i) => html`<th scope="col">${text}${i === 0 ? gainsOf((name) => name) : nothing}</th>`)}</tr></thead>
       <tbody>${rows.map((row) => rowOf(row, spread, counts, row.name === chosen, onChoose))}</tbody>
     </table>`;
