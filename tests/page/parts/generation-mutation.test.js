@@ -180,11 +180,11 @@ test('the pictures of three draws have one scale: each is as wide as its σ, and
   // What lies beyond the picture of the widest may lie within that of none.
   const farthest = (/** @type {number} */ share) => written(bell(5, 'gaussian', share)).includes('<circle');
   assert.deepEqual([0.5, 1].map(farthest), [true, false]);
-  for (const odd of [
-    [0, 0, 0],
-    [Infinity, 1, 1],
-  ])
-    assert.equal(shareOf(odd, 1), 1);
+  assert.equal(shareOf([Infinity, 1, 1], 1), 1);
+  // Without a σ nothing moves, whatever was drawn.
+  const still = written(bell(-1.2, 'gaussian', shareOf([0, 0, 0], 1)));
+  assert.match(still, /class="density" d="M42\.0 [^"]*L42\.0 /);
+  assert.match(still, /cx="?42"? /);
 });
 
 test('a parent that was crossed names the other, and the gains that it got from there', () => {

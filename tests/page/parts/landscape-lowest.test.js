@@ -1,12 +1,13 @@
 import assert from 'node:assert/strict';
 import fc from 'fast-check';
-import { lowestOf } from '../../../www/parts/landscape/lowest.js';
+import { lowestOf, markedOf } from '../../../www/parts/landscape/lowest.js';
 import { placeNames } from '../../../www/parts/landscape/names.js';
 import { namesOf } from '../../../www/parts/landscape/points.js';
 import { isInSlice, linearRange } from '../../../www/parts/landscape/request.js';
 import { landscapeSlice } from '../../../www/parts/landscape/state.js';
 import * as en from '../../../www/parts/landscape/words/en.js';
 import * as ko from '../../../www/parts/landscape/words/ko.js';
+import { createCostScale, numbersAt } from '../../../www/parts/landscape/scale.js';
 import { legendOf, noteText } from '../../../www/parts/landscape/told.js';
 import words from '../../../www/parts/landscape/words/index.js';
 import { pageTest } from '../harness/browsers.js';
@@ -66,6 +67,9 @@ test('the lowest point is said to be that of the points that were computed, howe
 test('where every J is infinite nothing is lowest', () => {
   const map = mapOf(velocityLimits, paperKy);
   assert.equal(lowestOf({ ...map, costs: map.costs.map(() => Number.POSITIVE_INFINITY) }), null);
+  // Nor where all are alike is one marked.
+  assert.equal(markedOf({ ...map, costs: map.costs.map(() => 8.6) }), null);
+  assert.deepEqual(markedOf(map), lowestOf(map));
 });
 
 test('the drives of a landscape are counted from every start', () => {
@@ -239,4 +243,31 @@ test('whatever searches, the path is said to be that of the best so far', () => 
     assert.match(en.methodSketch(method), /^Line: the best so far\./);
     assert.match(ko.methodSketch(method), /^선: 지금까지의 최우수\./);
   }
+});
+
+test('crosses are told of where a σ is above 0', () => {
+  const { spec } = mapOf(velocityLimits, paperKy);
+  const told = (/** @type {number} */ sigma) =>
+    legendOf(
+      /** @type {any} */ ({
+        experiment: velocityLimits,
+        population: [{ gains: [1, paperKy, 1], sigmas: [0, sigma, 0] }],
+      }),
+      spec,
+      [],
+    );
+  assert.match(told(0.1), /Crosses/);
+  assert.doesNotMatch(told(0), /Crosses/);
+});
+
+test('the bar of J has the levels of the picture, or where there are not two its ends', () => {
+  const texts = (/** @type {number[]} */ ...costs) =>
+    numbersAt(createCostScale(Float64Array.from(costs))).map(({ text }) => text);
+  assert.deepEqual(texts(8.6, 8.62, 8.626), ['8.600', '≥\u202f8.620']);
+  assert.deepEqual(texts(8.617, 8.617), ['8.617']);
+  const wide = Array.from({ length: 1000 }, (_, i) => 264.4 + i / 150);
+  assert.deepEqual(texts(...wide).length, 2);
+  const high = Array.from({ length: 1000 }, (_, i) => 1.2e7 + i);
+  assert.deepEqual(texts(...high), ['1.2×10⁷', '≥\u202f1.2001×10⁷']);
+  assert.ok(texts(...wide.map((_, i) => 5 + i / 10)).length > 2);
 });

@@ -117,6 +117,7 @@ test('crosses are named where they are drawn, and there alone: of who steps from
   for (const method of methods) {
     assert.equal(/cross/i.test(en.methodSketch(method)), hasCrosses(method), method);
     assert.equal(/십자/.test(ko.methodSketch(method)), hasCrosses(method), method);
+    for (const words of [en, ko]) assert.doesNotMatch(words.methodSketch(method, true), /cross|십자/i);
   }
   const evolution = new Evolution({ ...base, evolution: { ...base.evolution, method: 'one-plus-one-es' } });
   for (let generation = 1; generation <= 20; generation += 1) {

@@ -20,10 +20,11 @@ export const shapes = {
   cauchy: { reach: 10, density: (draw) => 1 / (1 + draw * draw) },
 };
 
-/** How wide a σ is beside the widest. @param {readonly number[]} sigmas @param {number} i */
+/** How wide a σ is beside the widest; where none is above 0, what is drawn stays where it is. @param {readonly number[]} sigmas @param {number} i */
 export function shareOf(sigmas, i) {
   const widest = Math.max(...sigmas);
-  return widest > 0 && widest < Infinity ? sigmas[i] / widest : 1;
+  if (widest === 0) return 0;
+  return widest < Infinity ? sigmas[i] / widest : 1;
 }
 
 const yIn = (/** @type {Shape} */ { density }, /** @type {number} */ draw) =>

@@ -21,3 +21,7 @@ export function lowestOf({ spec, count, costs }) {
     points: costs.length,
   };
 }
+
+/** What the map marks: nothing where all are alike. @param {Landscape} landscape */
+export const markedOf = (landscape) =>
+  landscape.costs.some((cost) => cost !== landscape.costs[0]) ? lowestOf(landscape) : null;

@@ -20,7 +20,7 @@ import { tryNow } from '../../core/pending.js';
 import { createSection } from '../section.js';
 import words from './words/index.js';
 import { createLandscapeRequests, createSpec, gainsAt } from './request.js';
-import { isOn, lowestOf } from './lowest.js';
+import { isOn, markedOf } from './lowest.js';
 import { hasCrosses, hasSketch, sketchOf } from './method.js';
 import { createSight } from './sight.js';
 import { axesOf, createMap } from './view.js';
@@ -38,7 +38,7 @@ export function createPage({ engine, store, actions, paper }) {
       engine.drive(experiment, [gains])[0],
   );
   const gainsUnder = remember(gainsAt);
-  const lowestOfLast = remember(lowestOf);
+  const lowestOfLast = remember(markedOf);
   const lowestIn = (/** @type {State} */ state) => {
     const { result } = landscapeSlice.of(state);
     return result && isOn(result.spec, specOf(state)) ? lowestOfLast(result) : null;

@@ -1,6 +1,7 @@
 // From J to a colour, and from gains to pixels.
 /** @import { AxisChoice } from './request.js' */
 import { scaleLinear, scaleLog } from 'd3-scale';
+import { costText, fixed, powerText } from '../../words/numbers.js';
 
 /** @typedef {ReturnType<typeof createCostScale>} CostScale */
 
@@ -16,7 +17,20 @@ export function createCostScale(costs) {
   const whole = Math.log1p((high - low) / bend);
   /** 0 at the lowest cost, 1 at the highest and beyond. @param {number} cost */
   const part = (cost) => (cost < high ? Math.log1p(Math.max(0, cost - low) / bend) / whole : 1);
-  return { low, high, part, levels: levelsBetween(low, high, part) };
+  return { low, high, most: sorted[sorted.length - 1] ?? high, part, levels: levelsBetween(low, high, part) };
+}
+
+/** What stands at the scale: its levels, or the two ends where no two levels tell how far apart those are. @param {CostScale} scale */
+export function numbersAt({ low, high, most, part, levels }) {
+  if (levels.length > 1) {
+    const digits = levels.some((level) => level % 1 !== 0) ? 1 : 0;
+    return levels.map((level) => ({ part: part(level), text: fixed(level, level < 100 ? digits : 0) }));
+  }
+  const isLarge = low >= 1e6 && costText(low) === costText(high);
+  const [first, last] = [low, high].map((cost) => (isLarge ? powerText(cost, 6) : costText(cost)));
+  // Where all are the same there is one.
+  const end = { part: 1, text: most > high ? `≥\u202f${last}` : last };
+  return [{ part: 0, text: first }, ...(first === last ? [] : [end])];
 }
 
 /** Round numbers from 0.1 to 99 000, the roundest first. */

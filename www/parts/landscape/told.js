@@ -36,9 +36,12 @@ export function readoutOf(state, spec, run, gains) {
 export function legendOf({ experiment, population }, spec, points) {
   const isProjected = [...population, ...points].some(({ gains }) => !isInSlice(spec, gains));
   const third = lab.gains[thirdOf(spec)].name;
-  return [words.methodSketch(experiment.evolution.method), ...(isProjected ? [words.paler(third)] : [])].join(
-    ' ',
-  );
+  // A cross of no size is none.
+  const isStill = population.every(({ sigmas }) => sigmas.every((sigma) => sigma === 0));
+  return [
+    words.methodSketch(experiment.evolution.method, isStill),
+    ...(isProjected ? [words.paler(third)] : []),
+  ].join(' ');
 }
 
 /** @param {Lowest} lowest */

@@ -15,13 +15,12 @@ import { shadeAt } from '../../kit/shades.js';
 import { remember } from '../../kit/memo.js';
 import { pale } from '../../kit/palette.js';
 import { drawSymbol } from '../../kit/names.js';
-import { fixed } from '../../words/numbers.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
 import { endsOfAxis, isInSlice } from './request.js';
 import { isOn } from './lowest.js';
 import { drawPoints } from './points.js';
-import { createAxis, createCostScale } from './scale.js';
+import { createAxis, createCostScale, numbersAt } from './scale.js';
 import { drawSketch } from './sketch.js';
 
 /**
@@ -133,16 +132,15 @@ function drawLegend(context, scale, width) {
   context.fillStyle = colours;
   context.fillRect(left, 0, right - left, 12);
   setLettering(context, { align: 'center', baseline: 'top' });
-  const digits = scale.levels.some((level) => level % 1 !== 0) ? 1 : 0;
   let free = left;
-  for (const level of scale.levels) {
-    const px = left + scale.part(level) * (right - left);
+  for (const { part, text } of numbersAt(scale)) {
+    const px = left + part * (right - left);
     context.fillRect(px - 0.5, 12, 1, 4);
-    const text = level < 100 ? fixed(level, digits) : fixed(level, 0);
     const half = context.measureText(text).width / 2;
-    if (px - half < free) continue;
-    context.fillText(text, px, 18);
-    free = px + half + apart;
+    const middle = Math.min(Math.max(px, left + half), right - half);
+    if (middle - half < free) continue;
+    context.fillText(text, middle, 18);
+    free = middle + half + apart;
   }
   context.textAlign = 'left';
   context.fillText(words.legendLow, 8, 18);

@@ -50,14 +50,14 @@ export const hand = 'by hand';
 
 /** What is drawn of a method, beside its robots. @type {Readonly<Record<import('../../../core/methods.js').Method, string>>} */
 const sketches = {
-  ep: 'Crosses: one σ.',
+  ep: '',
   random: '',
   'cma-es':
     'The ellipses are the distribution that these robots were drawn from, at one and at two standard deviations.',
   de: 'The other lines lead to the trials: each begins at a robot and goes by half the difference of two others. Solid: the trial took a place; its difference is dashed.',
   'nelder-mead':
     'The other lines are the simplex. Dashed: to what was tried in the place of its worst corner or, where that was taken, to the corner that went.',
-  'one-plus-one-es': 'Cross: one σ. The other line is the step that was tried.',
+  'one-plus-one-es': 'The other line is the step that was tried.',
   'one-at-a-time': 'The other line is the step that was tried.',
   'finite-differences':
     'The other lines are the steps that were tried: three short ones for the slope, or one down it.',
@@ -65,5 +65,9 @@ const sketches = {
 /** Marks that are not in the slice. @param {string} name Of the gain that is on no axis. */
 export const paler = (name) => `Paler: another ${name}.`;
 
-/** @param {import('../../../core/methods.js').Method} method */
-export const methodSketch = (method) => `Line: the best so far. ${sketches[method]}`.trim();
+/** @type {Partial<typeof sketches>} */
+const crosses = { ep: 'Crosses: one σ.', 'one-plus-one-es': 'Cross: one σ.' };
+
+/** @param {import('../../../core/methods.js').Method} method @param {boolean} [isStill] No σ is above 0. */
+export const methodSketch = (method, isStill = false) =>
+  ['Line: the best so far.', isStill ? '' : crosses[method], sketches[method]].filter(Boolean).join(' ');

@@ -49,13 +49,13 @@ export const hand = '직접 조정';
 
 /** What is drawn of a method, beside its robots. @type {Readonly<Record<import('../../../core/methods.js').Method, string>>} */
 const sketches = {
-  ep: '십자: 1σ.',
+  ep: '',
   random: '',
   'cma-es': '타원은 이 로봇들을 뽑은 분포이며, 표준편차의 1배와 2배입니다.',
   de: '다른 선은 한 로봇에서 시험한 곳까지이며, 다른 두 로봇의 차이의 절반만큼 갑니다. 실선: 시험한 것이 자리를 차지함. 파선: 그때의 차이.',
   'nelder-mead':
     '다른 선은 심플렉스입니다. 파선은 가장 나쁜 꼭짓점 대신 시험한 곳까지이고, 그곳이 받아들여졌으면 밀려난 꼭짓점까지입니다.',
-  'one-plus-one-es': '십자: 1σ. 다른 선은 시험한 걸음입니다.',
+  'one-plus-one-es': '다른 선은 시험한 걸음입니다.',
   'one-at-a-time': '다른 선은 시험한 걸음입니다.',
   'finite-differences':
     '다른 선은 시험한 걸음입니다. 기울기를 재는 짧은 걸음 셋이거나, 그 기울기를 따라 내려가는 걸음 하나입니다.',
@@ -63,5 +63,9 @@ const sketches = {
 /** Marks that are not in the slice. @param {string} name Of the gain that is on no axis. */
 export const paler = (name) => `흐린 표시: ${name} 값이 다름.`;
 
-/** @param {import('../../../core/methods.js').Method} method */
-export const methodSketch = (method) => `선: 지금까지의 최우수. ${sketches[method]}`.trim();
+/** @type {Partial<typeof sketches>} */
+const crosses = { ep: '십자: 1σ.', 'one-plus-one-es': '십자: 1σ.' };
+
+/** @param {import('../../../core/methods.js').Method} method @param {boolean} [isStill] No σ is above 0. */
+export const methodSketch = (method, isStill = false) =>
+  ['선: 지금까지의 최우수.', isStill ? '' : crosses[method], sketches[method]].filter(Boolean).join(' ');
