@@ -85,6 +85,8 @@ pageTest(
     const isInvalid = () => document.getElementById('contest-target')?.getAttribute('aria-invalid');
     assert.equal(await page.evaluate(isInvalid), 'true');
     assert.deepEqual(withoutVerdict(await readTable(page)), expectedTable(small, 7.9));
+    for (const cost of ['999.9999', '758042.9', '8800000'])
+      assert.equal(await page.evaluate(hasRoomFor, cost), true, cost);
 
     await page.click('#contest-usual');
     assert.equal(await page.text('#contest-target-error'), '');
@@ -92,6 +94,16 @@ pageTest(
     assert.deepEqual(withoutVerdict(await readTable(page)), expectedTable(small, null));
   },
 );
+
+/** Whether the field of the target shows all of it. @param {string} text */
+function hasRoomFor(text) {
+  const field = /** @type {HTMLInputElement} */ (document.getElementById('contest-target'));
+  const before = field.value;
+  field.value = text;
+  const isWhole = field.scrollWidth <= field.clientWidth;
+  field.value = before;
+  return isWhole;
+}
 
 pageTest('fewer seeds are drawn from what is there, and others of them', async (page) => {
   await openContest(page, `${link}&target=7.9&only=5`);

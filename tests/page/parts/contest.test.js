@@ -5,7 +5,7 @@ import { mostRobotsOfCall } from '../../../www/core/bounds.js';
 import { partsOf } from '../../../www/parts/luck/contest-asked.js';
 import { createContestRequests } from '../../../www/parts/luck/contest-request.js';
 import { contestants, entered, ingredientNames } from '../../../www/parts/luck/contestants.js';
-import { pairsText } from '../../../www/parts/luck/words/common.js';
+import { pairsText, targetText } from '../../../www/parts/luck/words/common.js';
 import * as en from '../../../www/parts/luck/words/contest-en.js';
 import * as ko from '../../../www/parts/luck/words/contest-ko.js';
 import { contestCsv, standingsOf } from '../../../www/parts/luck/contest-summary.js';
@@ -108,9 +108,13 @@ test('verdicts say what the ranks say', () => {
     ...small,
     lines: [small.lines[0], { ...small.lines[0], name: /** @type {const} */ ('mirror') }],
   };
-  assert.deepEqual(standingsOf(twice).lines[1].verdict, { kind: 'same', runs: 15 });
+  assert.deepEqual(standingsOf(twice).lines[1].verdict, { kind: 'same', runs: 15, isBefore: false });
   // The first robots are the same whatever comes of them.
-  assert.deepEqual(standingsOf(small, { until: 15 }).lines[2].verdict, { kind: 'same', runs: 15 });
+  assert.deepEqual(standingsOf(small, { until: 15 }).lines[2].verdict, {
+    kind: 'same',
+    runs: 15,
+    isBefore: true,
+  });
   // A target that everybody meets at the first drive tells nobody apart.
   const easy = standingsOf(small, { target: 1e9 });
   for (const line of easy.lines.slice(1)) assert.equal(line.verdict?.kind, 'undecided');
@@ -244,6 +248,11 @@ test('what is behind in most pairs and yet cheaper in the mean is said to be sur
   assert.equal(verdictOf(sure, sure), 'same');
   const apart = sure.map((trial) => ({ ...trial, seed: trial.seed + 50 }));
   assert.equal(verdictOf(sure, apart), 'undecided');
+});
+
+test('a target has four digits after the point, or fewer where seven count, and is read as it is written', () => {
+  const values = [8.61758, 33.91144, 758042.9469, 8.8e6, 0];
+  assert.deepEqual(values.map(targetText), ['8.6176', '33.9114', '758042.9', '8800000', '0.0000']);
 });
 
 test('what is not all is never told as all, nor what is not none as none', () => {

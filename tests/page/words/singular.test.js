@@ -10,7 +10,7 @@ import { test } from '../harness/once.js';
 
 const base = experiment('velocity-limits');
 const wrong =
-  /(?<!and )\b1 (?:robots|members|others|survivors|parents|trials|random robots|stay|are|count|of them arrive)\b/;
+  /(?<!and )\b1 (?:robots|members|others|survivors|parents|trials|random robots|draws|new draws|random robot: each|stay|are|count|of them arrive)\b/;
 
 test('of few robots the lab speaks as of many', () => {
   for (const count of [1, 2])

@@ -22,7 +22,7 @@ import { quartilesOf } from './statistics.js';
 /**
  * What one can say of a contestant and the first. Of shares nothing is said but what is no chance, and of a factor nothing whose interval
  * is not known. `alone`: p, had nobody else been compared, where only that makes it undecided.
- * @typedef {{ kind: 'same', runs: number } | { kind: 'undecided', runs: number, alone: number | null, others: number } | { kind: 'sooner' | 'later' } & Factor | { kind: 'only-this' | 'only-first', reached: number, runs: number } | { kind: 'mostly' | 'hardly', reached: number, runs: number, first: number } | { kind: 'better' | 'worse', a12: number } | { kind: 'surer' | 'riskier', a12: number, factor: Factor | null }} Verdict
+ * @typedef {{ kind: 'same', runs: number, isBefore: boolean } | { kind: 'undecided', runs: number, alone: number | null, others: number } | { kind: 'sooner' | 'later' } & Factor | { kind: 'only-this' | 'only-first', reached: number, runs: number } | { kind: 'mostly' | 'hardly', reached: number, runs: number, first: number } | { kind: 'better' | 'worse', a12: number } | { kind: 'surer' | 'riskier', a12: number, factor: Factor | null }} Verdict
  */
 /**
  * @typedef {object} Standing
@@ -87,7 +87,8 @@ export function standingsOf(contest, { target: chosen = null, until = null, only
     trials: isFew ? line.trials.filter(({ seed }) => drawn.has(seed)) : line.trials,
   }));
   const all = contest.lines.map(({ trials }) => endsOf(trials, target, budget));
-  const standings = comparedOf(lines, target, budget);
+  const isBefore = budget <= contest.experiment.evolution.population;
+  const standings = comparedOf(lines, target, budget, isBefore);
   const [first, ...others] = all;
   const there = others.filter(({ size }) => size > 0);
   const told = isFew && count > 0 ? toldApart(first, there, count) : [];
@@ -107,8 +108,8 @@ export function standingsOf(contest, { target: chosen = null, until = null, only
   };
 }
 
-/** @param {readonly Line[]} lines @param {number} target @param {number} budget @returns {Omit<Standing, 'told'>[]} */
-function comparedOf(lines, target, budget) {
+/** @param {readonly Line[]} lines @param {number} target @param {number} budget @param {boolean} isBefore No method has come to do anything. @returns {Omit<Standing, 'told'>[]} */
+function comparedOf(lines, target, budget, isBefore) {
   const ends = lines.map(({ trials }) => [...endsOf(trials, target, budget).values()]);
   const compared = lines.map((_, i) => i > 0 && ends[0].length > 0 && ends[i].length > 0);
   const comparisons = comparisonsOf(
@@ -141,7 +142,11 @@ function comparedOf(lines, target, budget) {
     if (!compared[i]) return { ...own, comparison: null, verdict: null };
     const comparison = /** @type {Comparison} */ (comparisons.shift());
     if (isSameRuns(lines[0].trials, lines[i].trials, budget))
-      return { ...own, comparison, verdict: { kind: 'same', runs: Math.min(standings[0].count, own.count) } };
+      return {
+        ...own,
+        comparison,
+        verdict: { kind: 'same', runs: Math.min(standings[0].count, own.count), isBefore },
+      };
     const [first, these] = [resampled[0], resampled[i]];
     const times = standings[0].ert / own.ert;
     const factor =

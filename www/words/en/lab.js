@@ -212,7 +212,9 @@ export const recordedText = (generation, newest) =>
 export const restartText = (restart, population, isPapers) =>
   ({
     begin: isPapers
-      ? `${counted(population, 'random robot', 'random robots')}: each has one offspring, a tournament keeps ${population}.`
+      ? population === 1
+        ? '1 random robot: it has one offspring, a tournament keeps one of the two.'
+        : `${counted(population, 'random robot', 'random robots')}: each has one offspring, a tournament keeps ${population}.`
       : 'Generation 0 of another search than the paper’s.',
     moved: 'Start or goal has moved: evolution begins again at generation 0.',
     limits: 'Other limits: evolution begins again at generation 0.',

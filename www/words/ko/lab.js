@@ -204,7 +204,9 @@ export const recordedText = (generation, newest) =>
 export const restartText = (restart, population, isPapers) =>
   ({
     begin: isPapers
-      ? `무작위 로봇 ${population}대: 각각 자손을 하나씩 만들고, 토너먼트로 ${population}대가 남습니다.`
+      ? population === 1
+        ? '무작위 로봇 1대: 자손을 하나 만들고, 토너먼트로 둘 중 하나가 남습니다.'
+        : `무작위 로봇 ${population}대: 각각 자손을 하나씩 만들고, 토너먼트로 ${population}대가 남습니다.`
       : '논문과 다른 탐색의 0세대입니다.',
     moved: '출발 또는 목표가 바뀌어 진화를 0세대부터 다시 시작합니다.',
     limits: '제한이 바뀌어 진화를 0세대부터 다시 시작합니다.',

@@ -85,11 +85,16 @@ const duel = ({ record: { parents, offspring } }, write) =>
 const sentences = {
   random: {
     parents: ({ count, record }) =>
-      `The ${count} draws of generation ${record.generation - 1}. Nothing is taken over from them.`,
+      count === 1
+        ? `The draw of generation ${record.generation - 1}. Nothing is taken over from it.`
+        : `The ${count} draws of generation ${record.generation - 1}. Nothing is taken over from them.`,
     mutation: ({ record }) =>
-      `${record.offspring.length} new draws, anywhere in the dashed box: nothing was learned from those before.`,
-    drive: () => 'They drive and get their J.',
-    survivors: () => 'The next draws come from the same box. Only the best of all is remembered.',
+      `${counted(record.offspring.length, 'new draw', 'new draws')}, anywhere in the dashed box: nothing was learned from those before.`,
+    drive: ({ count }) => (count === 1 ? 'It drives and gets its J.' : 'They drive and get their J.'),
+    survivors: ({ count }) =>
+      count === 1
+        ? 'The next draw comes from the same box. Only the best of all is remembered.'
+        : 'The next draws come from the same box. Only the best of all is remembered.',
   },
   de: {
     parents: ({ count }) => `${count} members, best ranked first. Each is to have one trial.`,

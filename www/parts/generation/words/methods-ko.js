@@ -83,7 +83,7 @@ const duel = ({ record: { parents, offspring } }, write) =>
 const sentences = {
   random: {
     parents: ({ count, record }) =>
-      `${record.generation - 1}세대에서 뽑은 로봇 ${count}대입니다. 이들에게서 이어받는 것은 없습니다.`,
+      `${record.generation - 1}세대에서 뽑은 로봇 ${count}대입니다. ${count === 1 ? '이 로봇' : '이들'}에게서 이어받는 것은 없습니다.`,
     mutation: ({ record }) =>
       `파선 상자 안 어디서나 로봇 ${record.offspring.length}대를 새로 뽑습니다. 앞의 결과에서 배운 것은 없습니다.`,
     drive: () => '모두 주행하여 J를 얻습니다.',

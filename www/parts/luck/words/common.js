@@ -27,8 +27,9 @@ export const gainColumns = {
 export const fileName = ({ first, runs, generations }) =>
   `seeds-${first}-to-${first + runs.length - 1}-${generations}-generations.csv`;
 
-/** Digits enough to see the target move. @param {number} target */
-export const targetText = (target) => fixed(target, 4);
+/** Digits enough to see the target move: four after the point, fewer where seven count. @param {number} target */
+export const targetText = (target) =>
+  fixed(target, Math.max(0, Math.min(4, 6 - Math.floor(Math.log10(Math.abs(target) || 1)))));
 
 /** @param {{ seeds: number, budget: number }} contest */
 export const contestFile = ({ seeds, budget }) => `contest-${seeds}-seeds-${budget}-drives.csv`;

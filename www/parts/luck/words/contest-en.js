@@ -171,7 +171,7 @@ const betweenText = ({ between: [low, high] }) => `(${timesText(low)} to ${times
 export function verdictText(verdict, name) {
   switch (verdict.kind) {
     case 'same':
-      return 'Run by run the same as the first: in these drives it changes nothing. (While only the first random robots drive, no method changes anything.)';
+      return `Run by run the same as the first: in these drives it changes nothing.${verdict.isBefore ? ' (While only the first random robots drive, no method changes anything.)' : ''}`;
     case 'undecided':
       return verdict.runs === 1
         ? 'One run cannot tell these two apart.'

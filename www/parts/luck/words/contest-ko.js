@@ -167,7 +167,7 @@ export function verdictText(verdict, name) {
   const who = shortName(name);
   switch (verdict.kind) {
     case 'same':
-      return '모든 실행이 첫 참가자와 똑같습니다. 이 주행 횟수 안에서는 이것을 바꾸어도 달라지는 것이 없습니다. (처음의 무작위 로봇만 주행하는 동안에는 어떤 방법도 다르지 않습니다.)';
+      return `모든 실행이 첫 참가자와 똑같습니다. 이 주행 횟수 안에서는 이것을 바꾸어도 달라지는 것이 없습니다.${verdict.isBefore ? ' (처음의 무작위 로봇만 주행하는 동안에는 어떤 방법도 다르지 않습니다.)' : ''}`;
     case 'undecided':
       return `${verdict.runs}번의 실행으로는 둘의 차이를 알 수 없습니다${verdict.alone === null ? '' : `(비교 ${1 + verdict.others}개에 대한 보정 없이 이것만 비교했다면 p는 ${probability(verdict.alone)})`}.`;
     case 'sooner':
