@@ -19,6 +19,7 @@ import { largest } from '../../kit/extent.js';
 import { setLettering } from '../../kit/lettering.js';
 import { colour, pale } from '../../kit/palette.js';
 import { typed } from '../../words/numbers.js';
+import { numbersApart } from '../drawing.js';
 import words from './words/index.js';
 import { arePositive, parts } from './summary.js';
 
@@ -145,11 +146,14 @@ function drawAxes(context, axes, bound, isLast) {
   }
   for (const { text, place } of numbersOf(axes, bound)) context.fillText(text, frame.left - 6, place);
   context.textAlign = 'center';
-  for (const time of axes.x.ticks(frame.right - frame.left < 200 ? 2 : 5)) {
-    const px = axes.x(time);
+  const most = frame.right - frame.left < 200 ? 2 : 5;
+  // The last one stands within the edge, up to half of its width nearer to the others.
+  const halfOf = (/** @type {string} */ text) => context.measureText(text).width / 2;
+  for (const { tick, text } of numbersApart(axes.x, most, words.timeTicks, (text) => 3 * halfOf(text))) {
+    const px = axes.x(tick);
     line(context, [px, frame.top], [px, frame.bottom]);
-    if (isLast)
-      context.fillText(`${time} s`, Math.min(Math.round(px) + 0.5, frame.right - 8), frame.bottom + 12);
+    const last = frame.right - Math.max(8, halfOf(text) - margin.right);
+    if (isLast) context.fillText(text, Math.min(Math.round(px) + 0.5, last), frame.bottom + 12);
   }
   context.stroke();
 }

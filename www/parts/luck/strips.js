@@ -8,11 +8,11 @@ import { followSize } from '../../kit/size.js';
 import { take } from '../../kit/chart.js';
 import { colour } from '../../kit/palette.js';
 import { stacked } from '../../kit/stack.js';
-import { drawText } from '../drawing.js';
+import { drawText, numbersApart } from '../drawing.js';
+import { setLettering } from '../../kit/lettering.js';
 import { drawSymbol } from '../../kit/names.js';
 import { lab } from '../../words/index.js';
 import words from './words/index.js';
-import { fixed } from '../../words/numbers.js';
 import { diameterOf, drawDots, drawRing, nearestDot, stackDots } from './dots.js';
 
 /** @typedef {{ survey: SeedSurvey | null, paper: Triple | null, range: readonly [number, number], index: number, theme: number }} StripsModel */
@@ -95,7 +95,8 @@ function drawStrips(context, size, { survey, paper, range, index }) {
       if (index >= 0) drawRing(context, dots.along[index], base - dots.away[index]);
     }
     if (paper) drawDiamond(context, scale(paper[i]), base);
-    if (survey) drawText(context, fixed(survey.summary.gains[i].median, 3), size.width, base - 6, atMedian);
+    if (survey)
+      drawText(context, words.medianGain(survey.summary.gains[i].median), size.width, base - 6, atMedian);
   }
   return strips;
 }
@@ -129,10 +130,12 @@ function domainOf({ summary }, paper) {
 
 /** @param {CanvasRenderingContext2D} context @param {import('d3-scale').ScaleLinear<number, number>} scale @param {number} height */
 function drawAxis(context, scale, height) {
-  for (const tick of scale.ticks(7)) {
+  setLettering(context, {});
+  const widthOf = (/** @type {string} */ text) => context.measureText(text).width;
+  for (const { tick, text } of numbersApart(scale, 7, words.ticks, widthOf)) {
     context.fillStyle = colour('--hairline');
     context.fillRect(Math.round(scale(tick)) - 0.5, 0, 1, height - axisHeight + 2);
-    drawText(context, words.tick(tick), scale(tick), height - 3, { align: 'center', baseline: 'alphabetic' });
+    drawText(context, text, scale(tick), height - 3, { align: 'center', baseline: 'alphabetic' });
   }
 }
 

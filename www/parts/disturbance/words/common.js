@@ -1,5 +1,6 @@
 // Of the disturbance part, what is the same in every language.
 /** @import { PartName, Place, Summary } from '../summary.js' */
+import { sameDigits } from '../../../kit/steps.js';
 import { fixed, powerText } from '../../../words/numbers.js';
 
 export const parts = /** @type {const} */ (['x', 'y', 'theta']);
@@ -38,6 +39,9 @@ export function sizeText(value) {
 
 /** @param {PartName} part @param {number} value */
 export const amount = (part, value) => `${sizeText(value)}${unitOf[part] && ' '}${unitOf[part]}`;
+
+/** Of seconds, below the plots. @param {readonly number[]} times */
+export const timeTicks = (times) => sameDigits(times).map((text) => `${text} s`);
 
 /** @param {number} count @param {number} starts */
 export const shareText = (count, starts) => `${count}/${starts}`;

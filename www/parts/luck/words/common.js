@@ -1,6 +1,7 @@
 // Of the luck part, what is the same in every language.
 /** @import { SeedSurvey } from '../request.js' */
-import { fixed, powerOfTen as shortPower } from '../../../words/numbers.js';
+import { sameDigits } from '../../../kit/steps.js';
+import { fixed, powerOfTen as shortPower, sixDigits } from '../../../words/numbers.js';
 
 /** @typedef {'start' | 'goal' | 'limits' | 'settings'} Change */
 
@@ -14,8 +15,14 @@ export const powerOfTen = (power) => shortPower(power, -3);
 
 export const gainNames = ['x', 'y', 'θ'].map((index) => `k${index}`);
 
-/** @param {number} value */
-export const tick = (value) => String(value).replace('-', '−');
+/** @param {readonly number[]} ticks */
+export const ticks = (ticks) =>
+  ticks.some((tick) => Math.abs(tick) >= 1e4)
+    ? sameDigits(ticks)
+    : ticks.map((tick) => String(tick).replace('-', '−'));
+
+/** @param {number} gain */
+export const medianGain = (gain) => (Math.abs(gain) < 1000 ? fixed(gain, 3) : sixDigits(gain));
 
 /** @type {Readonly<Record<SeedSurvey['experiment']['law'], readonly string[]>>} */
 export const gainColumns = {
