@@ -154,8 +154,8 @@ test('in a ranking the names of the two whom luck told apart cover no mark, and 
 
 pageTest('what stands at the limit of the axis is no number of a line below it', async (page) => {
   await page.resize(1366, 768);
-  for (const generation of [1, 2, 5]) {
-    await page.open(`#generation&v=1&generation=${generation}&phase=ranking`);
+  for (const asked of ['1', '2', '5', '3&start=-1000,-1000,0&goal.x=1000&goal.y=1000']) {
+    await page.open(`#generation&v=1&generation=${asked}&phase=ranking`);
     const texts = await page.until('the axis', () => {
       const all = [
         ...document.querySelectorAll('.generation-picture .axis .end, .generation-picture .axis text'),
@@ -165,6 +165,11 @@ pageTest('what stands at the limit of the axis is no number of a line below it',
     });
     const limit = texts.find((text) => text.endsWith('↑'))?.replace(' ↑', '') ?? '';
     assert.ok(limit !== '' && !texts.includes(limit), texts.join(', '));
+    // As long as the others, in thousands and millions where they are.
+    const ends = texts.filter((text) => /^\d.*\d[kMG]?$/.test(text) && text !== '0');
+    const longest = Math.max(...ends.map((text) => text.length));
+    assert.ok(limit.length <= longest + 2, texts.join(', '));
+    if (asked.includes('&')) assert.match(limit, /[kMG]$/, texts.join(', '));
   }
 });
 

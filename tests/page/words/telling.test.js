@@ -47,6 +47,15 @@ test('a J that falls is another one than before, of whatever size it is', () => 
     }
 });
 
+test('robots of a wild J are told apart too', () => {
+  const write = costWriter(
+    /** @type {any} */ ({ all: [{ cost: 47_607_812 }, { cost: 47_644_840 }, { cost: 5e7 }] }),
+  );
+  assert.deepEqual([47_607_812, 47_644_840, Infinity].map(write), ['4.7608×10⁷', '4.7645×10⁷', '∞']);
+  const alike = costWriter(/** @type {any} */ ({ all: [{ cost: 1e7 }, { cost: 1e7 }, { cost: 2e7 }] }));
+  assert.equal(alike(12_345_678), '1.23×10⁷');
+});
+
 test('of random search, which keeps only the best of all, nothing is said to be lost', () => {
   for (const [before, after] of [
     [8.228, 8.3],

@@ -5,6 +5,7 @@ import { tickStep, ticks as ticksOf } from 'd3-array';
 import { hasPairs } from '../../core/methods.js';
 import { svg } from '../../kit/elements.js';
 import { roundStep, sameDigits } from '../../kit/steps.js';
+import { fixed } from '../../words/numbers.js';
 import words from './words/index.js';
 import { columnsOf, heightOf, margin } from './places.js';
 import { isInitial } from './record.js';
@@ -24,7 +25,6 @@ export function drawCostAxis(layer, { anatomy, phase }, size) {
   const texts = narrow
     ? sameDigits(beyond.map((tick) => tick / 10 ** power)).map(words.beyondBest)
     : sameDigits(ticks);
-  const digits = narrow ? 3 : (texts[0]?.split('.')[1] ?? '').length;
   const line = (/** @type {number} */ y) => svg('line', { x1: margin.left, x2: right, y1: y, y2: y });
   const label = (/** @type {number} */ y, /** @type {string} */ text) =>
     svg('text', { x: margin.left - 8, y: y + 4, class: 'end' }, text);
@@ -35,8 +35,10 @@ export function drawCostAxis(layer, { anatomy, phase }, size) {
   const shown = texts.filter((_, i) => height.scale(ticks[i]) > firstText);
   /** The limit is no tick, and is not called as one. @param {number} limit */
   const limitText = (limit) => {
-    const isTick = shown.some((text) => words.aboveText(limit, digits).startsWith(`${text} `));
-    return words.aboveText(limit, isTick ? digits + 1 : digits);
+    const [usual, finer] = narrow
+      ? [3, 4].map((digits) => fixed(limit, digits))
+      : [step, step / 10].map((apart) => sameDigits([limit, limit + apart])[0]);
+    return words.aboveText(shown.includes(usual) ? finer : usual);
   };
   layer.replaceChildren(
     ...ticks.flatMap((tick) =>

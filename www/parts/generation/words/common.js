@@ -15,11 +15,20 @@ export function costWriter({ all }) {
 /** How J is written where a difference of this size is to be seen. @param {number} size @returns {(cost: number) => string} */
 export function costsApart(size) {
   const digits = digitsFor(size);
-  return (cost) => (cost < 100 || (digits > 3 && cost < 1e6) ? fixed(cost, digits) : costText(cost));
+  return (cost) => {
+    if (cost < 100 || (digits > 3 && cost < 1e6)) return fixed(cost, digits);
+    return cost >= 1e6 && cost < Infinity && size > 0
+      ? powerText(cost, countingFor(cost, size))
+      : costText(cost);
+  };
 }
 
 /** As it is written elsewhere, unless two that differ would be the same. @param {number} a @param {number} b @param {(cost: number) => string} write */
 export const tellingApart = (a, b, write) => (write(a) === write(b) ? costsApart(Math.abs(a - b)) : write);
+
+/** The digits that count, of a cost that is written with a power of ten. @param {number} cost @param {number} size */
+const countingFor = (cost, size) =>
+  Math.min(12, Math.max(3, 2 + Math.floor(Math.log10(cost)) - Math.floor(Math.log10(size))));
 
 /** The digits after the point that show a change of this size. @param {number} size */
 export const digitsFor = (size) =>
@@ -70,8 +79,8 @@ export const bracketed = (text) => (text.startsWith('−') ? `(${text})` : text)
 export const costAxis = 'J';
 /** Of what its numbers are multiples. @param {number} power */
 export const costUnit = (power) => `×${powerOfTen(power, 0)}`;
-/** @param {number} cost @param {number} digits */
-export const aboveText = (cost, digits) => `${fixed(cost, digits)} ↑`;
+/** @param {string} cost */
+export const aboveText = (cost) => `${cost} ↑`;
 export const won = '✓';
 export const lost = '✗';
 /** As the formulas call what a gain becomes. */
