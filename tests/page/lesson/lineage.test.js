@@ -70,7 +70,7 @@ test('the numbers below a family are those of their places, and none touches ano
       /** At most, in the widest font of a system. @param {string} text */
       const half = (text) => (8.3 * text.length) / 2;
       for (const [i, { at, text }] of numbers.entries()) {
-        const value = Number(text.replace('−', '-').replace('k', 'e3'));
+        const value = Number(text.replace('−', '-').replace('k', 'e3').replace('M', 'e6'));
         const place = (value - range[0]) / (range[1] - range[0]);
         assert.ok(Math.abs(at - place) < 1e-3, `${text} at ${at}`);
         assert.ok(Math.min(at, 1 - at) * wide + 5 > half(text), `${text} leaves ${wide} pixels`);

@@ -268,7 +268,7 @@ export const gainsNote = (driver, isPapers, cost) =>
 
 /** Where starts around it are asked for. */
 export const goalAtEdge =
-  'the goal is too near the edge of the plane, ±1000 m: starts around it would lie beyond';
+  'the goal is too near the edge of the plane, ±1000 m: starts around it would lie outside';
 
 export const gainsReplaced = 'Undo (Ctrl+Z) brings yours back';
 
