@@ -4,7 +4,16 @@ import { experiment as completed, evaluate } from '../pkg/ep_locomotion.js';
 import { stepNamed } from '../www/lesson/path.js';
 import { pathOf, withField } from '../www/link/experiment.js';
 import { readAll } from '../www/link/together.js';
-import { decoded, oneOf, pairOf, triple, wholeNumber } from '../www/link/values.js';
+import {
+  decoded,
+  mostCharacters,
+  mostPairs,
+  oneOf,
+  pairOf,
+  piecesOf,
+  triple,
+  wholeNumber,
+} from '../www/link/values.js';
 import { pageNames } from '../www/parts/parts.js';
 import { drivers, presets } from '../www/run/state.js';
 import * as words from '../www/words/en/link.js';
@@ -12,8 +21,6 @@ import * as words from '../www/words/en/link.js';
 /** @typedef {import('./link.d.ts').LinkedRun} LinkedRun */
 
 const version = 1;
-/** As long as what the page reads. */
-const mostCharacters = 20_000;
 const mostOfName = 60;
 
 /** What is about the page, or not applied here. @param {LinkedRun} run @param {string} key @param {string} text */
@@ -43,10 +50,10 @@ const isField = (key, experiment) => pathOf(key).split('.')[0] in experiment;
 function asWritten(link) {
   const whole = link.replaceAll('&amp;', '&');
   const at = whole.indexOf('#');
-  const text = whole.slice(at + 1, mostCharacters).replace(/\?(?=\w+=)/g, '&');
+  const { pieces, isWhole } = piecesOf(whole.slice(at + 1).replace(/\?(?=\w+=)/g, '&'));
   const [, asked = ''] = whole.slice(0, Math.max(at, 0)).split('?');
   const who = new URLSearchParams(asked).get('who');
-  return { text, others: /** @type {Record<string, string>} */ (who ? { who } : {}) };
+  return { pieces, isWhole, others: /** @type {Record<string, string>} */ (who ? { who } : {}) };
 }
 
 /** What the page would say before it reads a value. @param {string} name @param {ReadonlyMap<string, string>} given */
@@ -65,8 +72,8 @@ export function openLink(link) {
     const found = Object(link) === link ? `of type ${typeof link}` : String(link);
     throw new TypeError(`link must be a text, but was ${found}`);
   }
-  const { text, others } = asWritten(link);
-  const [name, ...rest] = text.split('&');
+  const { pieces, isWhole, others } = asWritten(link);
+  const [name = '', ...rest] = pieces;
   const given = new Map(rest.filter((pair) => pair !== '').map(pairOf));
   const problems = misplaced(name || 'lab', given);
   const preset = presets.find((one) => one === given.get('preset')) ?? presets[0];
@@ -87,7 +94,7 @@ export function openLink(link) {
     return { ...run, experiment: completed(withField(run.experiment, pathOf(key), value)) };
   });
   problems.push(...refused.map(([key, error]) => `${key}: ${/** @type {Error} */ (error).message}`));
-  if (link.length > mostCharacters) problems.push(`of ${link.length} characters ${mostCharacters} were read`);
+  if (!isWhole) problems.push(words.longLink(mostCharacters, mostPairs));
   if (opened.drives !== 'hand' || opened.gains !== null) return opened;
   problems.push(`drives: ${words.noGains}`);
   return { ...opened, drives: 'evolved' };

@@ -20,7 +20,16 @@ import { driveKeys, lessonKey, pinKeys } from './keys.js';
 import { sealOf } from './seal.js';
 import { PartlyRead, readAll } from './together.js';
 import { beginningOf, plainText, seenText } from '../kit/text.js';
-import { decoded, encoded, oneOf, pairOf, wellFormed } from './values.js';
+import {
+  decoded,
+  encoded,
+  mostCharacters,
+  mostPairs,
+  oneOf,
+  pairOf,
+  piecesOf,
+  wellFormed,
+} from './values.js';
 import { percent } from '../kit/host.js';
 
 /** @typedef {(preset: Preset) => Experiment} ExperimentOf */
@@ -36,9 +45,6 @@ import { percent } from '../kit/host.js';
 /** @typedef {ReturnType<typeof createLinks>} Links */
 
 const version = 1;
-/** Links are short; only with thousands of starts one is longer than what is read of it. */
-export const mostCharacters = 20_000;
-
 /** Of what is wrong, so much is said. */
 const mostNamed = 5;
 const mostOfName = 60;
@@ -115,10 +121,11 @@ export function createLinks({ pages, places, keys: partKeys, mend, lesson }) {
    */
   function openLink(written, engine, who = '') {
     const link = wellFormed(asWritten(written));
-    const [name, ...rest] = whole(link.slice(0, mostCharacters), lesson).split('&');
+    const { pieces, isWhole } = piecesOf(link);
+    const [name, ...rest] = whole(pieces.join('&'), lesson).split('&');
     const page = pages.find((one) => one === (name || 'lab'));
     const problems = page ? [] : [words.unknownPart(quoted(decoded(name)), [...pages, 'lesson'])];
-    if (link.length > mostCharacters) problems.push(words.longLink(mostCharacters));
+    if (!isWhole) problems.push(words.longLink(mostCharacters, mostPairs));
     const given = new Map(rest.filter((text) => text !== '').map(pairOf));
     const step = aloneIn(link)?.step ?? given.get('lesson');
     if (step !== undefined && !lesson.named(step).isThere) problems.push(words.noStep(quoted(step)));

@@ -3,6 +3,18 @@
 import { link as words } from '../words/index.js';
 import { numberOf } from '../words/numbers.js';
 
+/** So much is read of a link; only with thousands of starts one is longer. */
+export const mostCharacters = 200_000;
+export const mostPairs = 5000;
+
+/** What is read of a link, none of it cut through, and whether that is all of it. @param {string} link */
+export function piecesOf(link) {
+  const all = link.slice(0, mostCharacters).split('&');
+  const isShort = link.length <= mostCharacters;
+  const pieces = (isShort ? all : all.slice(0, -1)).slice(0, 1 + mostPairs);
+  return { pieces, isWhole: isShort && pieces.length === all.length };
+}
+
 /** @param {number} value The shortest text that gives back the same bits. */
 export const numberText = (value) => (Object.is(value, -0) ? '-0' : String(value));
 

@@ -10,7 +10,7 @@ import fc from 'fast-check';
 import { isProgram } from '../../../.tasks/run.mjs';
 import { openRunFile, runFile } from '../../../www/share/run-file.js';
 import { links as pageLinks } from '../../../www/lesson/links.js';
-import { mostCharacters } from '../../../www/link/link.js';
+import { mostCharacters } from '../../../www/link/values.js';
 import { places } from '../../../www/parts/parts.js';
 import { isEmpty } from '../../../www/run/exercise.js';
 import { experiment, paper, simulateAll } from '../harness/core.js';

@@ -2,7 +2,6 @@
 // believed here, and nothing of it becomes markup.
 import { createTurns } from '../../kit/loop.js';
 import { tidyText } from '../../kit/text.js';
-import { mostCharacters } from '../../link/link.js';
 import { mark } from '../handin/mark.js';
 import { fromRow, partsOf, tableIn } from './columns.js';
 
@@ -11,6 +10,7 @@ import { fromRow, partsOf, tableIn } from './columns.js';
 /** In characters. */
 export const mostOfAll = 12_000_000;
 const mostOfOne = 200_000;
+const mostOfLink = 50_000;
 const mostOfName = 80;
 /** So many are checked at once; the others are only counted. */
 export const mostEntries = 5000;
@@ -154,9 +154,7 @@ export function createReader(pages) {
     if (text.length > mostOfOne) return { ...about, link: null, why: 'long' };
     const link = linkIn(text);
     if (link === null) return { ...about, link, why: 'none' };
-    return link.length > mostCharacters
-      ? { ...about, link: null, why: 'long' }
-      : { ...about, link, why: null };
+    return link.length > mostOfLink ? { ...about, link: null, why: 'long' } : { ...about, link, why: null };
   }
 
   /** Lines, of which each is a hand-in but for those of a receipt, which ends with its link. @param {string} text @param {string} name @param {boolean} [isStudents] @returns {Promise<Entry[]>} */

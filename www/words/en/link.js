@@ -1,5 +1,6 @@
 // Every word about links.
 import { beginningOf } from '../../kit/text.js';
+import { grouped } from './numbers.js';
 
 /** @param {string} found @param {readonly string[]} parts */
 export const unknownPart = (found, parts) =>
@@ -28,8 +29,9 @@ export const unknownField = 'this page knows no such setting.';
 export const noGains = 'it needs gains=kx,ky,kθ beside it.';
 export const aPin = 'name~kx,ky,kθ, and after further ~ what its experiment has different';
 
-/** @param {number} most */
-export const longLink = (most) => `The link is longer than ${most} characters: the rest of it was left out.`;
+/** @param {number} most Characters. @param {number} pairs */
+export const longLink = (most, pairs) =>
+  `The link is longer than ${grouped(most)} characters, or has more than ${grouped(pairs)} keys: the rest of it was left out.`;
 
 export const aNumber = 'a number';
 export const aPosture = 'three values x,y,θ, such as 2,2,45deg';

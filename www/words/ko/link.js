@@ -1,5 +1,6 @@
 // Every word about links, in Korean.
 import { beginningOf } from '../../kit/text.js';
+import { grouped } from './numbers.js';
 
 /** @param {string} found @param {readonly string[]} parts */
 export const unknownPart = (found, parts) =>
@@ -27,8 +28,9 @@ export const unknownField = '이 페이지에 없는 설정입니다.';
 export const noGains = 'gains=kx,ky,kθ 항목이 함께 있어야 합니다.';
 export const aPin = '이름~kx,ky,kθ와, ~ 뒤에 이어지는 다른 실험 설정';
 
-/** @param {number} most */
-export const longLink = (most) => `링크가 ${most}자보다 깁니다. 나머지는 읽지 않았습니다.`;
+/** @param {number} most Characters. @param {number} pairs */
+export const longLink = (most, pairs) =>
+  `링크가 ${grouped(most)}자보다 길거나 키가 ${grouped(pairs)}개보다 많습니다. 나머지는 읽지 않았습니다.`;
 
 export const aNumber = '수';
 export const aPosture = '2,2,45deg와 같은 세 값 x,y,θ';
