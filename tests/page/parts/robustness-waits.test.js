@@ -115,3 +115,20 @@ pageTest('each number of an axis stands at its place, the last as well', async (
     }
   }
 });
+
+test('the name of the upright axis has its own room, however long the numbers beside it are', () => {
+  const leftOf = (/** @type {number} */ middle, /** @type {number} */ half) => {
+    const range = { from: middle - half, to: middle + half, count: 81 };
+    const size = { width: 600, height: 600 };
+    return axesOf({ grid: { x: range, y: range, headings: 18 }, size }).frame.left;
+  };
+  assert.equal(leftOf(2, 4), 52);
+  // The numbers end 8 pixels beside the frame, the name 18 beside the edge.
+  for (const [middle, half, text] of /** @type {const} */ ([
+    [-150, 4, '−150'],
+    [996, 4, '1000'],
+    [900.5, 2, '900.5'],
+    [0, 2, '−0.5'],
+  ]))
+    assert.ok(leftOf(middle, half) - 8 - 8 * text.length >= 18, text);
+});

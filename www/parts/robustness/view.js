@@ -2,6 +2,7 @@
 /** @import { Posture, Run } from '../../core/engine.js' */
 /** @import { Grid } from './grid.js' */
 /** @import { Shading } from './scale.js' */
+import { ticks } from 'd3-array';
 import { scaleLinear } from 'd3-scale';
 import { circle, createWatchedLayer, strokeTwice } from '../../kit/canvas.js';
 import { drawNumbersBelow, drawNumbersBeside, within } from '../../kit/chart.js';
@@ -31,16 +32,18 @@ import { fine } from './request.js';
 
 /** Room on the right of the map: half of its last number. */
 const beside = 8;
-
-/** Where the map is large its axes have names. @param {MapModel['size']} size */
-const marginIn = ({ width, height }) =>
-  Math.min(width, height) < 300
-    ? { left: 34, right: beside, top: 8, bottom: 26, isNamed: false }
-    : { left: 52, right: beside, top: 8, bottom: 44, isNamed: true };
+/** Where the map is large its axes have names: that of y stands beside its numbers, which are long far from the origin. @param {Pick<MapModel, 'grid' | 'size'>} model */
+function marginIn({ grid: { y }, size: { width, height } }) {
+  if (Math.min(width, height) < 300) return { left: 34, right: beside, top: 8, bottom: 26, isNamed: false };
+  const longest = Math.max(...sameDigits(ticks(y.from, y.to, 8)).map(({ length }) => length));
+  return { left: 52 + letter * Math.max(0, longest - 3), right: beside, top: 8, bottom: 44, isNamed: true };
+}
+/** About as wide as one is. */
+const letter = 8;
 
 /** Metres in pixels, the same on both axes and of every survey, also before there is one: the middles of the outer cells of the finest are half a cell inside. @param {Pick<MapModel, 'grid' | 'size'>} model */
 export function axesOf({ grid, size }) {
-  const margin = marginIn(size);
+  const margin = marginIn({ grid, size });
   const side = Math.max(
     40,
     Math.min(size.width - margin.left - margin.right, size.height - margin.top - margin.bottom),
@@ -171,7 +174,7 @@ function nameAxes(context, { left, right, top, bottom }) {
   context.textAlign = 'center';
   context.textBaseline = 'bottom';
   context.fillText(words.axisName('x'), (left + right) / 2, bottom + 42);
-  context.translate(left - 34, (top + bottom) / 2);
+  context.translate(18, (top + bottom) / 2);
   context.rotate(-Math.PI / 2);
   context.fillText(words.axisName('y'), 0, 0);
 }
