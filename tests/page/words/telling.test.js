@@ -106,3 +106,20 @@ test('what a gain below zero raises is blamed on nothing else', () => {
   assert.ok(summary.rising > 1 && summary.limited > 1);
   assert.deepEqual([summary.raised, summary.causes], [[0, 1, 2], []]);
 });
+
+test('V is told with the digits that its numbers have, and as staying where it stays', () => {
+  const summary = {
+    law: 'shim-kim',
+    isPromised: true,
+    referenceSpeed: 0,
+    rising: 0,
+    limited: 0,
+    isLaw: true,
+    seconds: 10,
+  };
+  const rest = { disturbed: false, raised: [], negative: [], causes: [], sampleTime: 0.01 };
+  const told = (/** @type {number} */ from, /** @type {number} */ to) =>
+    noteText(/** @type {any} */ ({ ...summary, ...rest, from, to }));
+  assert.match(told(1_002_000, 996_000), /it goes from 1×10⁶ to 9\.96×10⁵\./);
+  assert.match(told(4.2902, 4.2901), /^V never rises: it stays at 4\.29\./);
+});

@@ -2,7 +2,7 @@
 /** @import { Run } from '../../core/engine.js' */
 /** @import { Axes, Scale } from '../../kit/chart.js' */
 import { drawNumbersBelow, levelsOn } from '../../kit/chart.js';
-import { sameDigits } from '../../kit/steps.js';
+import { roundStep, sameDigits } from '../../kit/steps.js';
 import words from './words/index.js';
 
 /** So many times as long as the run in question others may take before they leave the picture. */
@@ -12,15 +12,19 @@ const longest = 2;
 export function endOf(driving, others) {
   const own = driving.time[driving.time.length - 1];
   const last = Math.max(own, ...others.map(({ time }) => time[time.length - 1]));
-  const end = Math.max(0.01, Math.min(last, longest * own));
-  const step = [0.01, 0.05, 0.25, 0.5, 1, 5].find((one) => end / one <= 12) ?? 10;
+  const end = Math.min(last, longest * own) || 0.01;
+  const step =
+    end < 0.01 ? roundStep(end / 12) : ([0.01, 0.05, 0.25, 0.5, 1, 5].find((one) => end / one <= 12) ?? 10);
   return Math.ceil(end / step - 1e-9) * step;
 }
 
 /** As many as there is room to name. @param {Scale} time */
 export function timeTicks(time) {
   const [left, right] = time.range();
-  const count = [6, 4].find((most) => time.ticks(most).length * 36 <= right - left) ?? 2;
+  const roomFor = (/** @type {readonly number[]} */ ticks) =>
+    Math.max(36, ...sameDigits(ticks).map((text) => 8 * words.seconds(text).length));
+  const hasRoom = (/** @type {readonly number[]} */ ticks) => ticks.length * roomFor(ticks) <= right - left;
+  const count = [6, 4, 2].find((most) => hasRoom(time.ticks(most))) ?? 1;
   return time.ticks(count);
 }
 

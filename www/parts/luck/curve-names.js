@@ -39,8 +39,7 @@ export function drawLineNames(context, axes, model, y) {
       }
   } else {
     const last = Math.min((lab?.costs.length ?? 0) - 1, model.generations);
-    // The lab's own curve falls below it.
-    drawExpected(context, axes, last > 0 ? 0.2 : 0.55);
+    drawExpected(context, axes, besideEnd(y(lab?.costs[last] ?? 0), frame));
     if (lab) drawName(context, { text: lab.name, x: x(last) + 8, y: y(lab.costs[last]), token });
     // Beside the dots there is no room for it, and the title says it.
     drawAxisNames(context, frame, { x: words.generationAxis });
@@ -83,6 +82,9 @@ export function placeWhereAlone(candidates, width, taken) {
   const free = candidates.filter(isFree);
   return (free.length > 0 ? free : candidates).reduce((best, one) => (one.apart > best.apart ? one : best));
 }
+
+/** Below where the lab's own curve ends, or above it: how far down, as a part of the height. @param {number} end @param {Pick<Axes['frame'], 'top' | 'bottom'>} frame */
+export const besideEnd = (end, { top, bottom }) => (end > (top + bottom) / 2 ? 0.2 : 0.55);
 
 /** What will stand there, line by line. @param {CanvasRenderingContext2D} context @param {Axes} axes @param {number} down From the top, as a part of the height. */
 function drawExpected(context, { frame }, down) {

@@ -145,7 +145,9 @@ export function rangeOf(model) {
   const own = Array.from(lab?.costs ?? []).filter(Number.isFinite);
   if (!survey) {
     const [least, most] = own.length > 0 ? extentOf([own]) : [0, 1];
-    return [least - 0.06 * most, most + 0.02 * most];
+    // Also where every J is 0 the axis has a length.
+    const size = most || 1;
+    return [least - 0.06 * size, most + 0.02 * size];
   }
   const { evolution, random, final, finalRandom, lowest, costs } = survey.summary;
   const begin = [...evolution.high, ...random.high].find(Number.isFinite) ?? 1;
@@ -159,7 +161,7 @@ export function rangeOf(model) {
   }
   const low = Math.min(lowest, Number.isFinite(survey.paper.cost) ? survey.paper.cost : lowest);
   // Where all are the same, the axis has short numbers too.
-  const room = Math.max(high - low, 0.02 * Math.abs(high));
+  const room = Math.max(high - low, 0.02 * Math.abs(high)) || 1;
   return [low - 0.1 * room, high + 0.04 * room];
 }
 

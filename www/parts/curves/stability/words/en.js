@@ -1,6 +1,6 @@
 // Every word of the Lyapunov function beside the robot.
 /** @import { Summary } from '../summary.js' */
-import { errorNames, gainNames, termsOf } from './common.js';
+import { amount, errorNames, gainNames, termsOf } from './common.js';
 import { fixed, threeDigits } from '../../../../words/en/numbers.js';
 
 export * from './common.js';
@@ -49,9 +49,11 @@ export const noteText = (summary) =>
 /** @param {Summary} summary */
 function valueText({ from, to, rising, seconds }) {
   if (from === 0 && to === 0) return 'V is 0: the robot is at its goal from the start.';
-  const ends = `from ${threeDigits(from)} to ${threeDigits(to)}`;
+  const [first, last] = [from, to].map(amount);
+  const ends = `from ${first} to ${last}`;
   if (rising > 0)
     return `V goes ${ends} and rises (thick, marked below) for ${fixed(rising, 2)} of ${fixed(seconds, 2)} s.`;
+  if (first === last) return `V never rises: it stays at ${first}.`;
   return to < 0.01 * from ? `V falls all the way, ${ends}.` : `V never rises: it goes ${ends}.`;
 }
 

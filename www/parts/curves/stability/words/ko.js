@@ -1,6 +1,6 @@
 // Every word of the Lyapunov function beside the robot, in Korean.
 /** @import { Summary } from '../summary.js' */
-import { errorNames, gainNames, termsOf } from './common.js';
+import { amount, errorNames, gainNames, termsOf } from './common.js';
 import { fixed, threeDigits } from '../../../../words/ko/numbers.js';
 
 export * from './common.js';
@@ -46,9 +46,11 @@ export const noteText = (summary) =>
 /** @param {Summary} summary */
 function valueText({ from, to, rising, seconds }) {
   if (from === 0 && to === 0) return 'V는 0입니다. 로봇이 처음부터 목표에 있습니다.';
-  const ends = `${threeDigits(from)} → ${threeDigits(to)}`;
+  const [first, last] = [from, to].map(amount);
+  const ends = `${first} → ${last}`;
   if (rising > 0)
     return `V는 ${fixed(seconds, 2)}초 중 ${fixed(rising, 2)}초 동안 커집니다(굵은 선, 아래에 표시). 처음 → 마지막: ${ends}.`;
+  if (first === last) return `V는 한 번도 커지지 않고 ${first}에 머뭅니다.`;
   return to < 0.01 * from ? `V는 끝까지 줄어듭니다(${ends}).` : `V는 한 번도 커지지 않습니다(${ends}).`;
 }
 
