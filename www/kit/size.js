@@ -9,7 +9,7 @@ let isOnPaper = false;
 
 /** What is followed, as long as anybody else holds it: a step of the lesson makes its pictures anew at every visit. @type {Set<WeakRef<HTMLElement>>} */
 const followed = new Set();
-/** @type {WeakMap<HTMLElement, { look: () => void, tell: () => void }>} */
+/** @type {WeakMap<HTMLElement, { look: () => void, tell: () => void, measure: () => void }>} */
 const followers = new WeakMap();
 
 /** As wide as the sheet at most, in its own shape. @param {Size} size */
@@ -37,7 +37,7 @@ export function followSize(element, onResize, onPaper = shrink) {
   const look = () => {
     if (density !== devicePixelRatio) measure();
   };
-  followers.set(element, { look, tell });
+  followers.set(element, { look, tell, measure });
   followed.add(new WeakRef(element));
   return () => size;
 }
@@ -59,7 +59,7 @@ export function followPixels(element, onChange) {
   return () => (isOnPaper ? [0, 0] : pixels);
 }
 
-/** @param {'look' | 'tell'} what */
+/** @param {'look' | 'tell' | 'measure'} what */
 function each(what) {
   for (const held of followed) {
     const element = held.deref();
@@ -77,3 +77,6 @@ export function setOnPaper(prints) {
   isOnPaper = prints;
   each('tell');
 }
+
+/** At once: a frame may be narrower on the paper of the page around it. */
+export const measureAnew = () => each('measure');

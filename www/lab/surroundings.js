@@ -3,7 +3,8 @@
 /** @import { State } from '../run/state.js' */
 import { forgetColours } from '../kit/palette.js';
 import { byId, isSeen } from '../kit/elements.js';
-import { followSize, setOnPaper } from '../kit/size.js';
+import { isEmbedded } from '../kit/host.js';
+import { followSize, measureAnew, setOnPaper } from '../kit/size.js';
 
 /** The plane on paper, in pixels, within its border: what stands above it has room on the first sheet. */
 const most = { width: 638, height: 420 };
@@ -28,7 +29,8 @@ export function followSurroundings(actions, show) {
   // At once, because a printer does not wait for the next frame.
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', redraw);
   const turn = (/** @type {boolean} */ prints) => {
-    setOnPaper(prints);
+    if (isEmbedded) measureAnew();
+    else setOnPaper(prints);
     redraw();
   };
   matchMedia('print').addEventListener('change', ({ matches }) => turn(matches));
@@ -39,9 +41,9 @@ export function followSurroundings(actions, show) {
   ]))
     addEventListener(name, () => {
       document.documentElement.toggleAttribute('data-printing', prints);
-      // What is not on the screen was not drawn, or long ago.
+      // What is not on the screen was not drawn, or long ago; a figure shows on paper what it shows there.
       for (const picture of document.querySelectorAll('canvas, .picture > svg'))
-        picture.toggleAttribute('data-unseen', prints && !isSeen(picture));
+        picture.toggleAttribute('data-unseen', prints && !isEmbedded && !isSeen(picture));
       turn(prints);
     });
 }
