@@ -13,6 +13,10 @@ import { createMessages } from './messages.js';
 /** What is handed in: the receipt, with what it comes to where it is judged, the address that opens it, and its text. @typedef {{ receipt: { who: string, exercise: string, gains: readonly number[], there: { cost: number, parked: number, starts: number }, drives: number, minutes: number, judged: { isMet: boolean, points: number | null, most: number | null } | null }, address: string, text: string }} HandedIn */
 /** @typedef {Parameters<typeof createMessages>[0] & { shapes: Parameters<typeof wantedHeight>[0] }} Parts `shapes` of the parts of the page. */
 
+/** No bar that scrolls is wider, in pixels of a page that is shown at half its size. */
+const widestBar = 35;
+const notAsked = { width: 0, height: 0 };
+
 /** @param {Parts} parts */
 export function createEmbed(parts) {
   const { engine, store, links, shapes } = parts;
@@ -29,11 +33,17 @@ export function createEmbed(parts) {
 
   // Nothing is said before it can be spoken to.
   let hasBegun = false;
+  /** For its picture. */
+  let asked = notAsked;
   const tellHeight = () => {
     const { page, lesson } = store.get();
     if (innerWidth === 0 || !hasBegun) return;
     const task = byId('exercise');
-    const height = wantedHeight(shapes, page, lesson, innerWidth) + (task.hidden ? 0 : task.offsetHeight + 6);
+    const wanted = wantedHeight(shapes, page, lesson, innerWidth);
+    // With its height the bar comes and goes by which its host scrolls, and with that its width: the greater of two heights stands.
+    if (wanted > asked.height || Math.abs(innerWidth - asked.width) > widestBar)
+      asked = { width: innerWidth, height: wanted };
+    const height = asked.height + (task.hidden ? 0 : task.offsetHeight + 6);
     if (!heightChanged(height)) return;
     post({ ep: version, type: 'height', height });
     // The same for Canvas, whose frames know this one.
@@ -67,6 +77,7 @@ export function createEmbed(parts) {
     /** @param {State} state */
     draw(state) {
       if (shapeChanged(state.page, state.lesson, state.exercise)) {
+        asked = notAsked;
         tellHeight();
         foot.name(asksSomething(state.exercise) ? words.openFree : words.openFull);
       }

@@ -171,6 +171,31 @@ engineTest(
   },
 );
 
+pageTest('a host that scrolls only at one of two heights is asked for one of them', async (page) => {
+  // As a page does whose bar comes with the height of the figure, and takes some of its width.
+  const html = `${frameOf(page, 'lab&v=1', 900, 420)}<script>
+    addEventListener('message', ({ data }) => {
+      if (data.type === 'height') document.querySelector('iframe').width = data.height > 570 ? 885 : 900;
+    });
+  </script>`;
+  await inHost(page, html, async () => {
+    await within(page, 0, () => page.until('the bar is there', () => innerWidth === 885));
+    const heights = async () =>
+      (await heardFrom(page, 0)).flatMap(({ height, ep }) => (ep ? height : []) ?? []);
+    await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 300)));
+    assert.deepEqual(await heights(), [wantedHeight(parts, 'lab', 0, 900)]);
+    // A part of its own has a height of its own.
+    await ask(page, 0, { type: 'set', link: 'curves&v=1' });
+    const own = wantedHeight(parts, 'curves', 0, 885);
+    await page.until(
+      'its height is told',
+      (expected) =>
+        Reflect.get(window, 'heard').some((/** @type {Heard} */ { data }) => data.height === expected),
+      own,
+    );
+  });
+});
+
 pageTest('a figure answers its host while its part is still on its way', async (page) => {
   let arrive = () => {};
   /** @type {Promise<void>} */
