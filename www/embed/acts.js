@@ -7,6 +7,7 @@
 import { embed as words } from '../words/index.js';
 import { preparedAs } from '../run/prepared.js';
 import { noTrial, spentOf } from '../run/state.js';
+import { linkIn } from '../kit/host.js';
 import { pause } from '../kit/loop.js';
 
 /** @typedef {readonly string[] | Promise<readonly string[]>} Problems */
@@ -63,7 +64,7 @@ export function createActs({ engine, store, actions, links }, { announce, rememb
   const acts = {
     async set({ link, experiment, gains, generation }, turn) {
       if (link !== null) {
-        const { opened, problems } = links.openLink(link.slice(link.indexOf('#') + 1), engine);
+        const { opened, problems } = links.openLink(linkIn(link), engine);
         await open(opened, turn);
         return problems;
       }

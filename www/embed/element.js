@@ -21,7 +21,8 @@
 /** @import { Report } from './messages.js' */
 import * as en from '../words/en/element.js';
 import * as ko from '../words/ko/element.js';
-import { frameName } from '../kit/host.js';
+import { frameName, linkIn } from '../kit/host.js';
+import { attributes, languageAround, reflect } from './attributes.js';
 import { createComplaints } from './complaints.js';
 import { sheet } from './element-style.js';
 import { isHeight, leastHeight, mostHeight, version } from './frame.js';
@@ -47,7 +48,7 @@ const mostOfLink = 100_000;
 const languages = { en, ko };
 
 class EpLocomotion extends HTMLElement {
-  static observedAttributes = ['link', 'src', 'height', 'label'];
+  static observedAttributes = attributes;
 
   #root = this.attachShadow({ mode: 'open' });
   #frame = document.createElement('iframe');
@@ -95,8 +96,13 @@ class EpLocomotion extends HTMLElement {
     removeEventListener('message', this);
     this.#isPlaced = false;
     this.#close();
-    this.#refuse(this.#words.gone);
+    // Nothing is wrong with it: frameworks move and remove what they like.
+    this.#refusal = this.#words.gone;
+    this.#questions.giveUp(this.#refusal);
   }
+
+  /** Moved with its frame, by a browser that can, it goes on. */
+  connectedMoveCallback() {}
 
   /** @param {string} name */
   attributeChangedCallback(name) {
@@ -166,21 +172,20 @@ class EpLocomotion extends HTMLElement {
   }
 
   get #words() {
-    return languages[this.closest('[lang]')?.getAttribute('lang')?.split(/[-_]/)[0] ?? ''] ?? en;
+    return languages[languageAround(this).split(/[-_]/)[0]] ?? en;
   }
 
-  /** What a link has after its #. */
   get #link() {
-    const link = this.getAttribute('link') || 'lab';
-    return link.slice(link.indexOf('#') + 1).slice(0, mostOfLink);
+    return linkIn(this.getAttribute('link') || 'lab').slice(0, mostOfLink);
   }
 
   #open() {
     this.#close();
     this.#complaints.beginAnew();
     this.#dress();
-    const src = this.getAttribute('src') ?? 'index.html';
-    const base = this.hasAttribute('src') ? document.baseURI : here;
+    const given = this.getAttribute('src');
+    const src = given || 'index.html';
+    const base = given ? document.baseURI : here;
     // A browser of before 2023 has no such question.
     const address = URL.canParse?.(src, base) === false ? null : new URL(src, base);
     const isAddress = address !== null && protocols.includes(address.protocol);
@@ -272,10 +277,10 @@ class EpLocomotion extends HTMLElement {
   }
 
   #dress() {
-    this.#frame.title = this.getAttribute('label') ?? this.#words.label;
-    const text = this.getAttribute('height');
-    const height = Number(text ?? this.#wantedHeight);
-    const isWrong = text !== null && !isHeight(height);
+    this.#frame.title = this.getAttribute('label') || this.#words.label;
+    const text = this.getAttribute('height') ?? '';
+    const height = Number(text || this.#wantedHeight);
+    const isWrong = text !== '' && !isHeight(height);
     const wrong = isWrong ? this.#words.noHeight(leastHeight, mostHeight, text.slice(0, 40)) : '';
     this.#complaints.say('height', wrong);
     this.#frame.style.height = height > 0 && !isWrong ? `${height}px` : '';
@@ -287,14 +292,5 @@ class EpLocomotion extends HTMLElement {
   }
 }
 
-for (const name of EpLocomotion.observedAttributes)
-  Object.defineProperty(EpLocomotion.prototype, name, {
-    get() {
-      return this.getAttribute(name) ?? '';
-    },
-    set(value) {
-      this.setAttribute(name, value);
-    },
-  });
-
+reflect(EpLocomotion.prototype);
 if (!customElements.get('ep-locomotion')) customElements.define('ep-locomotion', EpLocomotion);

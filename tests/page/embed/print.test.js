@@ -54,7 +54,7 @@ pageTest('a figure that is narrower on paper is drawn as wide as it is there', a
         });
       }),
     );
-    await page.driver.printPage({ width: 21, height: 29.7 });
+    await page.driver.printPage(/** @type {any} */ ({ width: 21, height: 29.7 }));
     const [wide, drawn, width, height] = await within(page, 0, () =>
       page.evaluate(() => Reflect.get(window, 'onPaper')),
     );
