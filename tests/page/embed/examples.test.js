@@ -151,9 +151,34 @@ pageTest('on slides the arrow keys are the deck’s until a figure is used', (pa
 
     await page.click('section.present h3');
     await page.press(Key.ARROW_RIGHT);
-    await generation(21);
+    await generation(20);
+    // Back, and forward again.
+    await page.press(Key.ARROW_LEFT);
+    await generation(10);
+    await page.press(Key.ARROW_RIGHT);
+    await generation(20);
     await page.press(Key.ARROW_RIGHT);
     assert.deepEqual(await stand(), { slide: 2, fragments: 2 });
+  }),
+);
+
+pageTest('a slide that is entered from behind has its figure at its last step', (page) =>
+  inExample(page, 'examples/slides/index.html#/2', async () => {
+    await page.until('the deck is ready', () => document.querySelector('.reveal.ready'));
+    await page.press(Key.ARROW_LEFT);
+    await page.until(
+      'generation 20',
+      () => Reflect.get(document.getElementById('figure') ?? {}, 'state')?.generation === 20,
+    );
+  }),
+);
+
+pageTest('a PDF of the slides has a page for each step of the figure', (page) =>
+  inExample(page, 'examples/slides/index.html?print-pdf', async () => {
+    await page.until('they stand at 0, 10 and 20', () => {
+      const all = [...document.querySelectorAll('#figure')];
+      return all.map((one) => Reflect.get(one, 'state')?.generation).join() === '0,10,20';
+    });
   }),
 );
 
