@@ -103,12 +103,23 @@ async function render({ model, el }) {
     complain('');
     await drive();
   };
-  const beginInTurn = () => inTurn(begin);
+  /** How many are to begin, or to come as far as Python wants them. */
+  let beginning = 0;
+  const beginInTurn = () => {
+    beginning += 1;
+    inTurn(() =>
+      begin().finally(() => {
+        beginning -= 1;
+      }),
+    );
+  };
   const advanceInTurn = () => inTurn(advance);
   const driveInTurn = () => inTurn(driveAnew);
 
   el.append(refusal, figure);
   beginInTurn();
+  // What was taken from the page and put into it again begins anew.
+  figure.addEventListener('ready', () => beginning > 0 || beginInTurn());
   model.on('change:link', beginInTurn);
   model.on('change:experiment', beginInTurn);
   model.on('change:gains', driveInTurn);
