@@ -7,8 +7,8 @@
 import { embed as words } from '../words/index.js';
 import { preparedAs } from '../run/prepared.js';
 import { noTrial, spentOf } from '../run/state.js';
-import { linkIn } from '../kit/host.js';
 import { pause } from '../kit/loop.js';
+import { linkIn } from './link-in.js';
 
 /** @typedef {readonly string[] | Promise<readonly string[]>} Problems */
 

@@ -21,12 +21,13 @@
 /** @import { Report } from './messages.js' */
 import * as en from '../words/en/element.js';
 import * as ko from '../words/ko/element.js';
-import { frameName, linkIn } from '../kit/host.js';
+import { frameName } from '../kit/host.js';
 import { attributes, languageAround, reflect } from './attributes.js';
 import { createComplaints } from './complaints.js';
 import { sheet } from './element-style.js';
 import { isHeight, leastHeight, mostHeight, version } from './frame.js';
 import { allowed } from './frame-line.js';
+import { linkIn } from './link-in.js';
 import { createQuestions } from './questions.js';
 
 /** @typedef {{ link: string } | { experiment: Partial<Experiment>, gains?: readonly number[], generation?: number }} Setting A link may be set as it is, without braces. */

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import * as en from '../../../www/words/en/element.js';
 import * as ko from '../../../www/words/ko/element.js';
-import { linkIn } from '../../../www/kit/host.js';
+import { linkIn } from '../../../www/embed/link-in.js';
 import { pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { figureOf } from './figure.js';
