@@ -71,10 +71,17 @@ function each(what) {
 // Another density of pixels comes without another size.
 globalThis.addEventListener?.('resize', () => each('look'));
 
+/** @type {((prints: boolean) => void)[]} */
+const hearers = [];
+
+/** @param {(prints: boolean) => void} hear Whether sizes are those of paper, at each change. */
+export const hearOfPaper = (hear) => hearers.push(hear);
+
 /** From now on sizes are those of paper, or of the screen again. @param {boolean} prints */
 export function setOnPaper(prints) {
   if (prints === isOnPaper) return;
   isOnPaper = prints;
+  for (const hear of hearers) hear(prints);
   each('tell');
 }
 

@@ -1,6 +1,7 @@
 // Where there is no room for all of the figure beside the words, it shows one sight: the robot, what the step is about, or the gains. It stays over the words; in a frame it stands beside them sooner.
 import { byId, isSeen } from '../kit/elements.js';
 import { createSegmented } from '../kit/segmented.js';
+import { hearOfPaper } from '../kit/size.js';
 import { named, parts } from '../parts/parts.js';
 import { lab } from '../words/index.js';
 import words from './words/index.js';
@@ -31,11 +32,17 @@ export function createSights(fieldset) {
   /** @type {readonly Sight[]} */
   let offered = [];
   let draw = () => {};
+  let isOnSheet = false;
   const show = () => {
-    if (chosen && narrow.matches) document.body.dataset.sight = chosen;
+    if (chosen && narrow.matches && !isOnSheet) document.body.dataset.sight = chosen;
     else delete document.body.dataset.sight;
   };
   narrow.addEventListener('change', show);
+  // A sheet has room for all of it.
+  hearOfPaper((prints) => {
+    isOnSheet = prints;
+    show();
+  });
   return {
     /** Offers what there is, and begins with what the words speak of. @param {Step | undefined} step @param {string} page @param {Figure} figure @param {'instead' | 'beside' | 'under' | undefined} stage */
     open(step, page, figure, stage) {

@@ -3,7 +3,10 @@ import assert from 'node:assert/strict';
 import { pageNames } from '../../../www/parts/parts.js';
 import { pageTest } from '../harness/browsers.js';
 import { frameOf, inHost, within } from '../harness/host.js';
-import { asOnPaper } from '../whole/on-paper.js';
+import { turnToPaper } from '../whole/on-paper.js';
+
+/** Of the lesson those whose figure shows its stage, its part and its robot. */
+const steps = ['drive', 'law', 'limits', 'landscape', 'lecturers'].map((step) => `lesson&step=${step}`);
 
 /** In the frame: where its pictures are, and what can be pressed. */
 const look = () => ({
@@ -11,6 +14,10 @@ const look = () => ({
     const { left, top, width, height } = one.getBoundingClientRect();
     return one.checkVisibility({ visibilityProperty: true }) ? [[one.id, left, top, width, height]] : [];
   }),
+  words: [...document.querySelectorAll('.lesson p')].filter((one) => {
+    const { top, bottom, left } = one.getBoundingClientRect();
+    return left > 0 && top < innerHeight && bottom > top;
+  }).length,
   pressed: [...document.querySelectorAll('button, select, input[type="range"]')].filter(
     (one) =>
       !one.matches('.training-name, .choice, .on-paper') && one.checkVisibility({ visibilityProperty: true }),
@@ -22,13 +29,16 @@ for (const [width, height] of [
   [1000, 620],
 ])
   pageTest(`a figure of ${width} × ${height} has its pictures on the paper of its host too`, async (page) => {
-    for (const name of pageNames)
+    for (const name of [...pageNames, ...steps])
       await inHost(page, frameOf(page, `${name}&v=1`, width, height), () =>
         within(page, 0, async () => {
-          const before = await page.evaluate(look);
-          assert.ok(before.pressed > 0 && before.pictures.length > 0, name);
-          await asOnPaper(page);
-          const after = await page.evaluate(look);
+          // At once, for what is computed comes meanwhile.
+          const [before, after] = /** @type {ReturnType<typeof look>[]} */ (
+            await page.driver.executeScript(
+              `const before = (${look})(); (${turnToPaper})(); return [before, (${look})()];`,
+            )
+          );
+          assert.ok(before.pressed > 0 && before.pictures.length + before.words > 0, name);
           assert.deepEqual(after, { ...before, pressed: 0 }, name);
         }),
       );

@@ -7,7 +7,7 @@ export const paper = 680;
 export const sheet = 960;
 
 /** From now on the rules for paper hold on the screen, where one can look. */
-const turnToPaper = () => {
+export const turnToPaper = () => {
   dispatchEvent(new Event('beforeprint'));
   let found = 0;
   const rules = [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules]);
