@@ -2,11 +2,12 @@
 // machine, or in those that ENGINES names. What fails is told with its seed.
 import { parseArgs } from 'node:util';
 import { join } from 'node:path';
-import { needBuilt, run, task, top } from './run.mjs';
+import { Failure, needBuilt, run, task, top } from './run.mjs';
 
 await task(async () => {
   const { positionals } = parseArgs({ allowPositionals: true });
   const [rounds = '20', seed = String(1 + Math.floor(Math.random() * 1e6))] = positionals;
+  if (!/^[1-9]\d*$/.test(rounds)) throw new Failure(`rounds must be a whole number from 1, not ${rounds}`);
   needBuilt(join(top, 'dist'));
   console.log(`${rounds} rounds from seed ${seed}`);
   await run('node', ['--test-reporter=spec', 'tests/page/harness/every.js', 'whole/monkey.test.js'], {

@@ -43,7 +43,7 @@ const protocols = ['http:', 'https:', 'file:', 'blob:', 'data:'];
 /** What a figure says that its page may listen for. */
 const events = ['ready', 'state', 'generation', 'drive', 'answer', 'handin', 'error'];
 /** What a link has of its characters: the figure says what is wrong with a longer one. */
-const mostOfLink = 100_000;
+const mostOfLink = 200_001;
 
 /** @type {Record<Language | (string & {}), import('../words/index.js').Words<typeof en>>} */
 const languages = { en, ko };
@@ -187,7 +187,7 @@ class EpLocomotion extends HTMLElement {
     const given = this.getAttribute('src');
     const src = given || 'index.html';
     const base = given ? document.baseURI : here;
-    // A browser of before 2023 has no such question.
+    // A browser of before 2024 has no such question.
     const address = URL.canParse?.(src, base) === false ? null : new URL(src, base);
     const isAddress = address !== null && protocols.includes(address.protocol);
     if (isAddress) {

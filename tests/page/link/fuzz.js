@@ -186,6 +186,7 @@ export async function fuzz(count, seed) {
 
 if (isProgram(import.meta.url)) {
   const [count, seed] = [process.argv[2] ?? 100_000, process.argv[3] ?? Date.now() % 2 ** 31].map(Number);
+  if (!(count >= 1)) throw new Error(`the number of links must be 1 or more, not ${process.argv[2]}`);
   console.log(`${count} links, ${Math.ceil(count / 100)} experiments and files, seed ${seed}`);
   const start = performance.now();
   await fuzz(count, seed);

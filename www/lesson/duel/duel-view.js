@@ -67,7 +67,8 @@ export function createDuelStage(tools, _words) {
     if (drivesOn && sees !== 'you') update(tools.store, { sees: 'you' });
     const champion = sees === 'evolution' && !drivesOn && duel ? duel.rounds.at(-1)?.champion : null;
     const gains = champion ?? gainsOf(state, state.driver, paper);
-    const yard = yardOf(engine).drive(state.experiment, gains);
+    // Evolution's drive where they were bred, whatever has been changed since.
+    const yard = yardOf(engine).drive(champion && duel ? duel.experiment : state.experiment, gains);
     return yard && { name: champion ? shared.swarm.evolution(gains) : shared.swarm.own(gains), yard };
   });
 }

@@ -96,7 +96,8 @@ export const disturbance = {
       ky: measured ? threeDigits(measured.spec.gains[1]) : '…',
       starts: others ? String(others.length) : '…',
       left: others ? fixed(Math.max(...others), 2) : '…',
-      horizon: fixed(state.experiment.horizon, 0),
+      last: measured ? threeDigits(measured.spec.seconds) : '…',
+      horizon: measured ? threeDigits(measured.spec.experiment.horizon) : '…',
     };
   },
 };

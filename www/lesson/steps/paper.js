@@ -62,7 +62,6 @@ export const paper = {
       acceleration: fixed(costs[3] / costs[2], 2),
       paperAcceleration: fixed(live.paper[3].cost / live.paper[2].cost, 2),
       swing: `${fixed(swing, 0)}°`,
-      lowest: fixed(costs[0], 3),
       printed: printedOf(live).map(lab.costText).join('; '),
     };
   },

@@ -1,6 +1,5 @@
 // The step size that adapts itself, and its collapse.
 import words from '../../parts/generation/words/index.js';
-import { lab } from '../../words/index.js';
 import { fixed } from '../../words/numbers.js';
 import { sigmaFormula } from '../formulas/formulas.js';
 import { createLineage } from '../views/lineage.js';
@@ -61,13 +60,12 @@ export const sigma = {
   ],
   values: ({ engine, state }) => {
     const { own, common } = engine.learningRates();
-    const { meanSigmas, best } = state.history[state.generation];
+    const { meanSigmas } = state.history[state.generation];
     const [sx, sy, st] = meanSigmas.map(words.sigmaText);
     return {
       own: fixed(own, 3),
       common: fixed(common, 3),
       generation: String(state.generation),
-      cost: lab.costText(best.cost),
       sx,
       sy,
       st,

@@ -1,6 +1,6 @@
 // Why it gets there. The Lyapunov function and its rate.
 import { extentOf, largest } from '../../kit/extent.js';
-import { fixed, signed } from '../../words/numbers.js';
+import { fixed } from '../../words/numbers.js';
 import { createBowl } from '../views/bowl.js';
 import { createCancel } from '../views/cancel.js';
 import { chainFormula, errorRateFormula, motionFormula } from '../formulas/formulas-motion.js';
@@ -73,6 +73,5 @@ export const stability = {
   values: ({ sample }) => ({
     V: fixed(sample.lyapunov, 3),
     time: fixed(sample.time, 2),
-    rate: signed(sample.lyapunovRate, 2),
   }),
 };

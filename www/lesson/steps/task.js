@@ -117,13 +117,7 @@ export const task = {
     { kind: 'notice' },
     { kind: 'text', name: 'next' },
   ],
-  values({ engine, state, paper }) {
-    const { half } = robustnessSlice.of(state);
-    return {
-      ...toldOf(engine, firstRobot(engine)(state), paper[0].gains),
-      side: fixed(2 * half, 0),
-    };
-  },
+  values: ({ engine, state, paper }) => toldOf(engine, firstRobot(engine)(state), paper[0].gains),
 };
 
 /** The gains of steps 7, 8 and 10: on screen when the step opens, and else evolved once more. */
@@ -151,6 +145,7 @@ const toldOf = remember(
       cost: lab.costText(best.cost.total),
       paper: lab.costText(ep.cost.total),
       places: lab.grouped(places),
+      side: fixed(2 * robustnessSlice.first.half, 0),
       headings: String(headings),
       starts: lab.grouped(places * headings),
       ky: fixed(gains[1], 4),

@@ -14,7 +14,7 @@ You go first. Move the sliders under the picture, or type numbers. Each time you
 
 Then evolution has its turn: {=count} robots for {=generations} generations, {=given} trials, the first {=count} included; if you had more, it gets as many as you. A third player, *random search*, has as many: it draws gains evenly between {=low} and {=high}, keeps the best, and learns nothing.`,
     beyond: `Watch evolution’s robots, and look at its gains above the picture. Its {ky} lies beyond the slider, where few hands would look and where random search cannot go. Nobody told it to look there.`,
-    within: `Watch evolution’s robots, and look at its gains above the picture. This time its {ky} lies where a hand or random search can go, too.`,
+    within: `Watch evolution’s robots, and look at its gains above the picture. This time its {ky} lies where a hand can go, too.`,
     after: `*Selection goes on from what was good*: each generation starts where the last one ended. How much it finds in {=generations} generations still depends on luck: try other seeds, and let both go on, before you say who won.`,
     next: `Why is one search easy and another hard? That depends on the ground it walks on: on J as a landscape over the gains.`,
   },

@@ -49,7 +49,7 @@ export const stability = {
     },
     kanayama: {
       question:
-        'Kanayama’s rule with the same gains, the same start, the same goal at rest, and again without limits. Where does the robot stop?',
+        'Kanayama’s rule with the gains 3, 1, 5, the same start, the same goal at rest, and again without limits. Where does the robot stop?',
       choices: [
         'At the goal, pointing the right way',
         'At the goal, pointing the wrong way',

@@ -32,7 +32,7 @@ Put it to the test: the same gains, other starts. {=places} places in a square w
       ],
       /** @param {Share} outcome */
       why: ({ count, starts, share }) =>
-        `From ${grouped(count)} of ${grouped(starts)}, that is ${percent(share)}. Here you see 32 other starts, those of step 9.`,
+        `From ${grouped(count)} of ${grouped(starts)}, that is ${percent(share)}. The picture with which this step opens has 32 other starts, those of step 9.`,
     },
     arbitrary: {
       question:

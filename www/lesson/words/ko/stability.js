@@ -48,7 +48,7 @@ export const stability = {
     },
     kanayama: {
       question:
-        '법칙만 Kanayama의 규칙으로 바꿉니다. 이득, 출발점, 멈춰 있는 목표는 그대로이고 제한도 여전히 없습니다. 로봇은 어디에 멈춥니까?',
+        '법칙만 Kanayama의 규칙으로 바꿉니다. 이득은 3, 1, 5이고, 출발점과 멈춰 있는 목표는 그대로이며, 제한도 여전히 없습니다. 로봇은 어디에 멈춥니까?',
       choices: ['목표에, 올바른 방향으로', '목표에, 다른 방향으로', '목표 옆에'],
       /** @param {{ away: number, turned: number }} outcome */
       why: ({ away, turned }) =>

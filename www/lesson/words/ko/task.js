@@ -27,7 +27,7 @@ export const task = {
       choices: ['거의 모든 곳에서', '약 4분의 3에서', '약 절반에서', '4분의 1이나 그 이하에서'],
       /** @param {Share} outcome */
       why: ({ count, starts, share }) =>
-        `${grouped(starts)}개 중 ${grouped(count)}개, 곧 ${percent(share)}입니다. 여기 보이는 것은 9단계에서 쓴 다른 출발점 32개입니다.`,
+        `${grouped(starts)}개 중 ${grouped(count)}개, 곧 ${percent(share)}입니다. 이 단계를 열 때의 그림에 있는 것은 9단계에서 쓴 다른 출발점 32개입니다.`,
     },
     arbitrary: {
       question:
