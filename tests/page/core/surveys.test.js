@@ -205,7 +205,7 @@ engineTest('where workers are forbidden, a job says that they cannot be started'
 });
 
 engineTest('the whole page in one file from a disk drives, evolves and draws its landscape', async (page) => {
-  assert.ok((await stat(productFile)).size <= 1.61e6);
+  assert.ok((await stat(productFile)).size <= 1.62e6);
   await openFile(page, productFile);
   await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
   await page.click('#one-generation');
