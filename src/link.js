@@ -1,6 +1,7 @@
 // The package's `ep-locomotion/link`: what a link of the page runs. It reads numbers as the page does, and none of its words but
 // those that say what is wrong.
 import { experiment as completed, evaluate } from '../pkg/ep_locomotion.js';
+import { linkIn } from '../www/embed/link-in.js';
 import { stepNamed } from '../www/lesson/path.js';
 import { pathOf, withField } from '../www/link/experiment.js';
 import { readAll } from '../www/link/together.js';
@@ -48,12 +49,7 @@ const isField = (key, experiment) => pathOf(key).split('.')[0] in experiment;
 
 /** A link as the page reads it: from HTML `&` comes as `&amp;`, and learning platforms add `?name=value` to the end of an address, or who works there before its #. @param {string} link */
 function asWritten(link) {
-  const whole = link.replaceAll('&amp;', '&');
-  const at = whole.indexOf('#');
-  const { pieces, isWhole } = piecesOf(whole.slice(at + 1).replace(/\?(?=\w+=)/g, '&'));
-  const [, asked = ''] = whole.slice(0, Math.max(at, 0)).split('?');
-  const who = new URLSearchParams(asked).get('who');
-  return { pieces, isWhole, others: /** @type {Record<string, string>} */ (who ? { who } : {}) };
+  return piecesOf(linkIn(link.replaceAll('&amp;', '&')).replace(/\?(?=\w+=)/g, '&'));
 }
 
 /** What the page would say before it reads a value. @param {string} name @param {ReadonlyMap<string, string>} given */
@@ -72,7 +68,7 @@ export function openLink(link) {
     const found = Object(link) === link ? `of type ${typeof link}` : String(link);
     throw new TypeError(`link must be a text, but was ${found}`);
   }
-  const { pieces, isWhole, others } = asWritten(link);
+  const { pieces, isWhole } = asWritten(link);
   const [name = '', ...rest] = pieces;
   const given = new Map(rest.filter((pair) => pair !== '').map(pairOf));
   const problems = misplaced(name || 'lab', given);
@@ -85,7 +81,7 @@ export function openLink(link) {
     generation: 0,
     drives: 'evolved',
     gains: null,
-    others,
+    others: {},
     problems,
   };
   const { opened, refused } = readAll(given, first, (run, key, value) => {

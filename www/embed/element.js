@@ -42,7 +42,7 @@ const longestLoading = 60_000;
 const protocols = ['http:', 'https:', 'file:', 'blob:', 'data:'];
 /** What a figure says that its page may listen for. */
 const events = ['ready', 'state', 'generation', 'drive', 'answer', 'handin', 'error'];
-/** What a link has of its characters: the figure says what is wrong with a longer one. */
+/** One character more than the figure reads (`link/values.js`), so that it says of a longer link what is wrong. */
 const mostOfLink = 200_001;
 
 /** @type {Record<Language | (string & {}), import('../words/index.js').Words<typeof en>>} */

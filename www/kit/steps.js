@@ -31,6 +31,11 @@ const units = /** @type {const} */ ([
 export function sameDigits(ticks) {
   const step = Math.abs(ticks.length > 1 ? ticks[1] - ticks[0] : ticks[0]) || 1;
   const largest = Math.max(...ticks.map(Math.abs));
+  // Of wild gains; beyond, no letter is known.
+  if (largest >= 1e15 && step >= 1000)
+    return ticks.map((tick) =>
+      Number(tick.toPrecision(3)).toExponential().replace('e+', 'e').replace('-', '−').replace(/^0e0$/, '0'),
+    );
   const unit = units.find(([, one]) => largest >= one && step >= 1000 && 100 * step >= one);
   if (unit) {
     const [name, one] = unit;

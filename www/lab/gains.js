@@ -34,10 +34,8 @@ export function createGains(root, note, events) {
 /** Where a slider's thumb is caught at 0, as a share of its length: a few pixels, for a hand cannot hit one. */
 const detent = 0.01;
 
-const shown = (/** @type {number} */ value) =>
-  value !== 0 && (Math.abs(value) < 0.0005 || Math.abs(value) >= 1e5)
-    ? String(Number(value.toPrecision(3)))
-    : strings.typed(value, 3);
+/** Three digits after the point, and of what is so long only those that are not 0. @param {number} value */
+const shown = (value) => (Math.abs(value) < 1e5 ? strings.typed(value, 3) : String(Number(value.toFixed(3))));
 
 /**
  * @param {{ id: string, name: string, letter: string, index: string }} gain @param {number} index @param {GainEvents} events

@@ -107,7 +107,7 @@ export const textBelow = (value, limit, usual) =>
 
 const closer = (/** @type {number} */ value) => (value < 1e6 ? sixDigits(value) : powerText(value, 6));
 
-/** Two numbers, with as few digits as tell them apart. @param {number} a @param {number} b @param {(value: number) => string} usual */
+/** Two numbers, as usual, or else with six digits, or with all, if only those tell them apart. @param {number} a @param {number} b @param {(value: number) => string} usual */
 export const textsApart = (a, b, usual) =>
   [usual, closer, String].map((write) => [write(a), write(b)]).find(([one, other]) => one !== other) ?? [
     usual(a),

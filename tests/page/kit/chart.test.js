@@ -181,6 +181,8 @@ test('the numbers of an axis are their ticks, however near together these are', 
   assert.deepEqual(sameDigits([0, 100_000, 200_000]), ['0', '100k', '200k']);
   assert.deepEqual(sameDigits([11_600_000, 11_700_000]), ['11.6M', '11.7M']);
   assert.deepEqual(sameDigits([-4e9, -2e9, 0]), ['−4G', '−2G', '0']);
+  assert.deepEqual(sameDigits([0, 5e14]), ['0', '500T']);
+  assert.deepEqual(sameDigits([-2e48, 0, 2e48]), ['−2e48', '0', '2e48']);
 });
 
 test('where a picture is low the numbers of its axis stand closer, before one stands alone', () => {

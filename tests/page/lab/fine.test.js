@@ -18,12 +18,12 @@ pageTest('one goes through a drive of some thousandths of a second by its slider
   await clock('0.0001 of 0.0050 s');
 });
 
-pageTest('a gain that three digits would cut, or make 0, has those that count', async (page) => {
-  await page.open('#lab&v=1&drives=hand&gains=0.000001,1000000,3');
+pageTest('a long gain stands whole in its field', async (page) => {
+  await page.open('#lab&v=1&drives=hand&gains=3,1000000,123456.789');
   const fields = await page.evaluate(() =>
     [...document.querySelectorAll('.gain [type="text"]')].map(
       (one) => /** @type {HTMLInputElement} */ (one).value,
     ),
   );
-  assert.deepEqual(fields.slice(0, 3), ['0.000001', '1000000', '3.000']);
+  assert.deepEqual(fields.slice(0, 3), ['3.000', '1000000', '123456.789']);
 });

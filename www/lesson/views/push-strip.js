@@ -10,6 +10,7 @@ import { extentOf } from '../../kit/extent.js';
 import { remember, watch } from '../../kit/memo.js';
 import { standingFree } from '../../kit/names.js';
 import { dashes } from '../../kit/palette.js';
+import { scrubStep } from '../../run/clock.js';
 import { lab } from '../../words/index.js';
 import { fixed } from '../../words/numbers.js';
 import { pushesOver, reach } from './push-terms.js';
@@ -64,7 +65,7 @@ export function createStrip({ actions, store }, words) {
         html`<svg viewBox=${`0 0 ${width} ${height}`} width=${width} height=${height} aria-hidden="true">
             ${halves.map(halfOf)} ${timesOf(halves[1])} ${cursorOf(halves, pushes.times, time)}
           </svg>
-          <input id="push-clock" type="range" min="0" step="0.01" aria-label=${words.strip} aria-valuetext=${text}
+          <input id="push-clock" type="range" min="0" step=${scrubStep(finalTime)} aria-label=${words.strip} aria-valuetext=${text}
             .max=${String(finalTime)} .value=${liveValue(String(time))}
             @input=${(/** @type {{ target: HTMLInputElement }} */ { target }) => actions.scrub(target.valueAsNumber)}>`,
         picture,

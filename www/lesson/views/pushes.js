@@ -82,7 +82,7 @@ function createSide(side, unit, words) {
       return bar(side, of, amount, sum);
     };
     const amounts = /** @type {Record<string, number>} */ (pushes?.[side] ?? {});
-    return html`<tbody class=${free < reach[side] ? '' : 'unlimited'} .style=${`--free: ${50 * Math.min(free / reach[side], 1)}%`}>
+    return html`<tbody class=${free < reach[side] ? '' : 'all-free'} .style=${`--free: ${50 * Math.min(free / reach[side], 1)}%`}>
       <tr><th class="push-unit muted" scope="rowgroup" colspan="3">${head} ${unit}</th></tr>
       ${pushes && terms.map((of) => next(of, amounts[of.term]))}
       ${pushes && isMoving ? next({ label: words.moving, colour: 'of-moving' }, pushes.reference[side]) : ''}

@@ -1,7 +1,7 @@
 // From J to a colour, and from gains to pixels.
 /** @import { AxisChoice } from './request.js' */
 import { scaleLinear, scaleLog } from 'd3-scale';
-import { costText, fixed, powerText } from '../../words/numbers.js';
+import { costText, fixed, textsApart } from '../../words/numbers.js';
 
 /** @typedef {ReturnType<typeof createCostScale>} CostScale */
 
@@ -26,11 +26,12 @@ export function numbersAt({ low, high, most, part, levels }) {
     const digits = levels.some((level) => level % 1 !== 0) ? 1 : 0;
     return levels.map((level) => ({ part: part(level), text: fixed(level, level < 100 ? digits : 0) }));
   }
-  const isLarge = low >= 1e6 && costText(low) === costText(high);
-  const [first, last] = [low, high].map((cost) => (isLarge ? powerText(cost, 6) : costText(cost)));
-  // Where all are the same there is one.
-  const end = { part: 1, text: most > high ? `≥\u202f${last}` : last };
-  return [{ part: 0, text: first }, ...(first === last ? [] : [end])];
+  if (most === low) return [{ part: 0, text: costText(low) }];
+  const [first, last] = textsApart(low, high, costText);
+  return [
+    { part: 0, text: first },
+    { part: 1, text: most > high ? `≥\u202f${last}` : last },
+  ];
 }
 
 /** Round numbers from 0.1 to 99 000, the roundest first. */

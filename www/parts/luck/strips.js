@@ -134,7 +134,7 @@ function drawAxis(context, scale, height) {
   const widthOf = (/** @type {string} */ text) => context.measureText(text).width;
   for (const { tick, text } of numbersApart(scale, 7, words.ticks, widthOf)) {
     context.fillStyle = colour('--hairline');
-    context.fillRect(Math.round(scale(tick)) - 0.5, 0, 1, height - axisHeight + 2);
+    context.fillRect(Math.floor(scale(tick)), 0, 1, height - axisHeight + 2);
     drawText(context, text, scale(tick), height - 3, { align: 'center', baseline: 'alphabetic' });
   }
 }

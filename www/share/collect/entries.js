@@ -10,6 +10,7 @@ import { fromRow, partsOf, tableIn } from './columns.js';
 /** In characters. */
 export const mostOfAll = 12_000_000;
 const mostOfOne = 200_000;
+/** Thousands of them are checked in a row. */
 const mostOfLink = 50_000;
 const mostOfName = 80;
 /** So many are checked at once; the others are only counted. */

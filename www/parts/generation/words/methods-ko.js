@@ -86,7 +86,7 @@ const sentences = {
       `${record.generation - 1}세대에서 뽑은 로봇 ${count}대입니다. ${count === 1 ? '이 로봇' : '이들'}에게서 이어받는 것은 없습니다.`,
     mutation: ({ record }) =>
       `파선 상자 안 어디서나 로봇 ${record.offspring.length}대를 새로 뽑습니다. 앞의 결과에서 배운 것은 없습니다.`,
-    drive: () => '모두 주행하여 J를 얻습니다.',
+    drive: ({ count }) => `${count === 1 ? '' : '모두 '}주행하여 J를 얻습니다.`,
     survivors: () => '다음 세대도 같은 상자에서 뽑습니다. 지금까지 가장 좋은 로봇만 기억합니다.',
   },
   de: {
