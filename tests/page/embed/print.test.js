@@ -32,6 +32,11 @@ for (const [width, height] of [
     for (const name of [...pageNames, ...steps])
       await inHost(page, frameOf(page, `${name}&v=1`, width, height), () =>
         within(page, 0, async () => {
+          await page.until('there is something to see', () =>
+            [...document.querySelectorAll('main :is(canvas, .picture), .lesson p')].some((one) =>
+              one.checkVisibility({ visibilityProperty: true }),
+            ),
+          );
           // At once, for what is computed comes meanwhile.
           const [before, after] = /** @type {ReturnType<typeof look>[]} */ (
             await page.driver.executeScript(
