@@ -1,6 +1,8 @@
 import assert from 'node:assert/strict';
+import { scaleLinear } from 'd3-scale';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { dashes } from '../../../www/kit/palette.js';
+import { ticksUp } from '../../../www/parts/curves/axes.js';
 import { layoutOf } from '../../../www/parts/curves/layout.js';
 import { Evolution, experiment, simulate } from '../harness/core.js';
 import { test } from '../harness/once.js';
@@ -25,6 +27,17 @@ test('what does not change has an axis whose numbers have room', () => {
     const [low, high] = scale.domain();
     const step = scale.ticks(3)[1] - scale.ticks(3)[0];
     assert.ok(low < high && step > 1e-3, `${name}: ${low} to ${high}`);
+  }
+});
+
+test('an upright axis has two numbers, also where it is low', () => {
+  // As far as the wheels turn, both ways.
+  for (const height of [48, 64, 90, 200]) {
+    const axes = {
+      frame: { left: 0, right: 1, top: 0, bottom: height },
+      y: scaleLinear([-7.2, 7.2], [height, 0]),
+    };
+    assert.ok(ticksUp(axes).length > 1, `${height} px`);
   }
 });
 

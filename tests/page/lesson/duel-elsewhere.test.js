@@ -1,0 +1,26 @@
+import { Key, pageTest } from '../harness/browsers.js';
+import { swarm } from '../../../www/lesson/words/en.js';
+import { contest, evolvedBest, yard } from './duel-task.js';
+
+pageTest('evolution’s robots drive where they were bred, whatever the limits are now', async (page) => {
+  await page.open('#lesson&step=9');
+  await page.until('the robots', () => document.getElementById('swarm-parked'));
+  await page.focus('#slider-kx');
+  await page.press(Key.ARROW_RIGHT);
+  await page.click('#duel-lock');
+  await page.click('#quiz-ahead .choice:first-child');
+  const { gains } = evolvedBest(1, 20);
+  const hasParked = (/** @type {string} */ name, /** @type {string} */ parked) =>
+    document.querySelector('.swarm-name')?.textContent === name &&
+    document.getElementById('swarm-parked')?.textContent === parked;
+  const theirs = /** @type {const} */ ([swarm.evolution(gains), String(yard.drive(contest, gains)?.parked)]);
+  await page.until('evolution’s robots', hasParked, ...theirs);
+  await page.click('#preset-acceleration-limits');
+  await page.until(
+    'one’s own robots',
+    (name) => document.querySelector('.swarm-name')?.textContent !== name,
+    theirs[0],
+  );
+  await page.click('#duel-watch');
+  await page.until('evolution’s robots once more', hasParked, ...theirs);
+});
