@@ -173,7 +173,7 @@ class EpLocomotion extends HTMLElement {
   }
 
   get #words() {
-    return languages[languageAround(this).split(/[-_]/)[0]] ?? en;
+    return languages[languageAround(this).toLowerCase().split(/[-_]/)[0]] ?? en;
   }
 
   get #link() {

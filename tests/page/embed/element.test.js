@@ -109,7 +109,7 @@ pageTest('what the author of a page has wrong is said in sight', async (page) =>
     <ep-locomotion id="nowhere" src="https://"></ep-locomotion>
     <ep-locomotion id="absent" src="/absent.html"></ep-locomotion>
     <ep-locomotion id="old" src="${old}"></ep-locomotion>
-    <div lang="ko-KR"><ep-locomotion id="korean" height="high"></ep-locomotion></div>
+    <div lang="KO-kr"><ep-locomotion id="korean" height="high"></ep-locomotion></div>
     </div>
     <script>
       const usual = setTimeout;
