@@ -84,6 +84,11 @@ export function createRow(gain, index, events, unit = '') {
     blur: () => {
       typing = false;
     },
+    leave: (/** @type {KeyboardEvent} */ event) => {
+      if (event.key !== 'Escape') return;
+      typing = false;
+      /** @type {HTMLInputElement} */ (event.target).value = shown(current);
+    },
     change: (/** @type {Event} */ { target }) => {
       typing = false;
       events.onType(index, /** @type {HTMLInputElement} */ (target).value);
@@ -114,7 +119,7 @@ export function createRow(gain, index, events, unit = '') {
           <input id="gain-${id}" type="text" inputmode=${keysFor(true)} autocomplete="off" spellcheck="false"
             aria-label=${strings.gainInputLabel(gain.name)} aria-describedby="gain-${id}-error"
             aria-invalid=${String(message !== '')} .value=${isStale ? live(text) : noChange}
-            @input=${on.input} @copy=${on.copy} @blur=${on.blur} @change=${on.change} @focus=${selectAll}>
+            @input=${on.input} @copy=${on.copy} @blur=${on.blur} @keydown=${on.leave} @change=${on.change} @focus=${selectAll}>
           ${unit ? html`<span class="muted">${unit}</span>` : nothing}
           <p id="gain-${id}-error" class="field-error" role="alert" .hidden=${message === ''}>${message}</p>`,
         row,

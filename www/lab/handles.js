@@ -19,6 +19,8 @@ import { lab as strings } from '../words/index.js';
 
 const turn = Math.PI / 36;
 const fineTurn = Math.PI / 180;
+/** Pixels within which a press trembles and moves nothing. */
+const slop = 2;
 /** Metres, as the core has it. */
 const farthest = 1000;
 
@@ -91,7 +93,7 @@ function createHandle(end, part, current, events) {
 
 /** @param {HTMLElement} button @param {End} end @param {Part} part @param {() => View | undefined} current @param {HandleEvents} events */
 function drag(button, end, part, current, events) {
-  /** @type {{ pointerId: number, before: Posture, offsetX: number, offsetY: number } | null} */
+  /** @type {{ pointerId: number, before: Posture, x: number, y: number, isFar: boolean, offsetX: number, offsetY: number } | null} */
   let held = null;
   /** @type {Posture | null} */
   let pending = null;
@@ -114,6 +116,9 @@ function drag(button, end, part, current, events) {
     held = {
       pointerId: event.pointerId,
       before: events.postureOf(end),
+      x: event.clientX,
+      y: event.clientY,
+      isFar: false,
       offsetX: event.clientX - (box.left + box.width / 2),
       offsetY: event.clientY - (box.top + box.height / 2),
     };
@@ -126,6 +131,8 @@ function drag(button, end, part, current, events) {
     if (!held || !view || !plane || event.pointerId !== held.pointerId) return;
     // It was lifted where the page has not seen it.
     if (event.buttons === 0) return lose();
+    held.isFar ||= Math.hypot(event.clientX - held.x, event.clientY - held.y) > slop;
+    if (!held.isFar) return;
     const { left, top } = plane.getBoundingClientRect();
     const px = event.clientX - held.offsetX - left - plane.clientLeft;
     const py = event.clientY - held.offsetY - top - plane.clientTop;

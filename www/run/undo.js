@@ -1,8 +1,10 @@
-// What one can go back to, one for each gesture: experiments, and gains by hand that gave way to others.
+// What one can go back to, one for each gesture: experiments with their runs, and gains by hand that gave way to others.
 /** @import { State } from './state.js' */
+import { caughtUp, evolvedOf } from './state.js';
 
 /** @typedef {Pick<State, 'driver' | 'handGains' | 'found'>} Hand */
-/** `hand`: where the step is one of gains. @typedef {Pick<State, 'experiment' | 'preset'> & { hand?: Hand }} Version */
+/** How far a run had come: its last generation, the one that was shown, and how many times it had driven. @typedef {{ newest: number, generation: number, evolved: number }} Reached */
+/** `hand`: where the step is one of gains. @typedef {Pick<State, 'experiment' | 'preset'> & { reached: Reached, hand?: Hand }} Version */
 /** @typedef {{ past: readonly Version[], future: readonly Version[], held?: readonly Version[] }} Versions The nearest is the last of the past, the first of the future; `held`: the future before the last change, for a drag that comes back. */
 
 const most = 200;
@@ -10,24 +12,31 @@ const most = 200;
 /** @type {Versions} */
 export const noVersions = { past: [], future: [] };
 
+/** @param {State} state @returns {Reached} */
+function reachedBy(state) {
+  const { computing, history, work, catchingUp } = state;
+  // What was asked for has not begun.
+  if (computing?.next) return { newest: 0, generation: 0, evolved: 0 };
+  const newest = catchingUp?.newest ?? history.length - 1;
+  const { generation } = caughtUp(state);
+  return { newest, generation, evolved: evolvedOf({ history, work }) };
+}
+
 /** @param {State} state @returns {Version} */
-const now = ({ experiment, preset }) => ({ experiment, preset });
+const now = (state) => ({ experiment: state.experiment, preset: state.preset, reached: reachedBy(state) });
 
 /** As a step over a version finds it. @param {State} state @param {Version} version @returns {Version} */
 const counterpart = (state, { hand }) => (hand ? withHand(state) : now(state));
 
 /** @param {State} state @returns {Version} */
-const withHand = ({ experiment, preset, driver, handGains, found }) => ({
-  experiment,
-  preset,
-  hand: { driver, handGains, found },
+const withHand = (state) => ({
+  ...now(state),
+  hand: { driver: state.driver, handGains: state.handGains, found: state.found },
 });
 
-/** @param {Version | undefined} a @param {Version} b */
-const isSame = (a, b) => JSON.stringify(a) === JSON.stringify(b);
-
-/** Whether a version is of the experiment that is there. @param {State} state @param {Version} version */
-export const isOfNow = (state, { experiment, preset }) => isSame({ experiment, preset }, now(state));
+/** Whether two are of the same experiment. @param {Pick<State, 'experiment' | 'preset'>} a @param {Pick<State, 'experiment' | 'preset'>} b */
+export const isSame = (a, b) =>
+  a.preset === b.preset && JSON.stringify(a.experiment) === JSON.stringify(b.experiment);
 
 /** Before others' gains take the place of those by hand. @param {State} before @returns {Versions} */
 export const afterHand = (before) => ({
@@ -35,17 +44,23 @@ export const afterHand = (before) => ({
   future: [],
 });
 
-/** After a change; all changes of one drag are one. @param {State} before @param {Version} after @returns {Versions} */
+/** After a change; all changes of one drag are one. @param {State} before @param {Pick<State, 'experiment' | 'preset'>} after @returns {Versions} */
 export function afterChange(before, after) {
   const { versions, dragging } = before;
-  if (dragging || isSame(now(before), after)) return versions;
+  if (dragging || isSame(before, after)) return versions;
   return { past: [...versions.past, now(before)].slice(-most), future: [], held: versions.future };
+}
+
+/** What a drag has come back to, if it has. @param {State} state @returns {Version | null} */
+export function cameBackTo(state) {
+  const last = state.versions.past.at(-1);
+  return last && !last.hand && isSame(last, state) ? last : null;
 }
 
 /** After a drag, which may have come back to where it began. @param {State} state @returns {Versions} */
 export function afterDrag(state) {
   const { past, future, held = future } = state.versions;
-  return isSame(past.at(-1), now(state)) ? { past: past.slice(0, -1), future: held } : { past, future };
+  return cameBackTo(state) ? { past: past.slice(0, -1), future: held } : { past, future };
 }
 
 /** @param {State} state @returns {{ version: Version, versions: Versions } | null} */

@@ -2,11 +2,11 @@
 // checks. docs/exercises.md tells the rule.
 /** @import { Experiment, Posture } from '../core/engine.js' */
 /** @import { Prepared } from './prepared.js' */
-/** @import { Version } from './undo.js' */
+/** @import { State } from './state.js' */
 import { fnv1a, spread } from '../kit/hash.js';
 
 /** @typedef {typeof variedNames[number]} Varied */
-/** Who works on an exercise: the name or number; the exercise's own experiment, before anything is drawn for that name, and what drives in it, null where nothing is asked; the receipt that was opened, if one was, and a digest of the link beside it; what the link says that was driven before; and `begun` and `made`, since when and how many drives, where the page was loaded again. @typedef {{ who: string, base: (Version & { prepared: Prepared }) | null, handin: string, of: string, spent: number, begun?: number, made?: number }} Student */
+/** Who works on an exercise: the name or number; the exercise's own experiment, before anything is drawn for that name, and what drives in it, null where nothing is asked; the receipt that was opened, if one was, and a digest of the link beside it; what the link says that was driven before; and `begun` and `made`, since when and how many drives, where the page was loaded again. @typedef {{ who: string, base: (Pick<State, 'experiment' | 'preset'> & { prepared: Prepared }) | null, handin: string, of: string, spent: number, begun?: number, made?: number }} Student */
 
 export const variedNames = /** @type {const} */ (['goal', 'starts', 'seed']);
 

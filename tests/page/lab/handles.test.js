@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { Key, pageTest } from '../harness/browsers.js';
 import { fields } from '../harness/core.js';
-import { middleOf } from '../harness/reading.js';
+import { middleOf, read } from '../harness/reading.js';
 import { endSurrounding, follow, surround } from '../whole/surround.js';
 
 pageTest(
@@ -28,6 +28,34 @@ pageTest(
     assert.deepEqual((await goal()).slice(0, 2), [1.125, 2.1]);
   },
 );
+
+pageTest('a press that trembles, or that Escape takes back, leaves the run as it was', async (page) => {
+  await page.open('#lab&v=1&generation=12');
+  const before = await read(page);
+  for (const part of ['position', 'heading']) {
+    const { x, y } = await middleOf(page, `goal-${part}`, `goal-${part}`);
+    await page.drag(`#goal-${part}`, [
+      { x, y },
+      { x: x + 1, y: y + 1 },
+    ]);
+    const { goal, generation } = await read(page);
+    assert.deepEqual({ goal, generation }, { goal: before.goal, generation: '12' }, part);
+  }
+  const { x, y } = await middleOf(page, 'goal-position', 'goal-position');
+  const origin = await page.element('#goal-position');
+  const hand = page.driver.actions();
+  await hand
+    .move({ origin })
+    .press()
+    .move({ x: Math.round(x) + 40, y: Math.round(y) + 30 })
+    .perform();
+  await page.until('another run has begun', () => document.body.innerText.includes('begins again'));
+  await page.press(Key.ESCAPE);
+  await page.driver.actions().release().perform();
+  await page.until('it is back', () => !document.body.innerText.includes('begins again'));
+  const after = await read(page);
+  assert.deepEqual(after, before);
+});
 
 pageTest(
   'start and goal are sliders, which say where they stand, and keep what they are called',

@@ -74,13 +74,20 @@ export function createComparison(root, { engine, store, actions, paper }) {
   };
 }
 
+/** @param {string} name @param {PinEvents['onTyping']} onTyping @returns {(event: KeyboardEvent) => void} */
+const takingBack = (name, onTyping) => (event) => {
+  if (event.key !== 'Escape') return;
+  /** @type {HTMLInputElement} */ (event.target).value = name;
+  onTyping(null);
+};
+
 /** @param {Pin} pin @param {PinEvents} on @param {boolean} isTyping What is typed stays, also while evolution runs. */
 const itemOf = ({ slot, name }, { onTyping, onName, onUnpin }, isTyping) => html`
   <li class="row">
     ${createSwatch(styles[slot])}
     <input id="pin-name-${slot + 1}" type="text" maxlength="60" autocomplete="off" spellcheck="false"
       aria-label=${words.nameLabel(slot)} .value=${isTyping ? noChange : live(name)}
-      @input=${() => onTyping(slot)} @blur=${() => onTyping(null)}
+      @input=${() => onTyping(slot)} @blur=${() => onTyping(null)} @keydown=${takingBack(name, onTyping)}
       @change=${(/** @type {Event} */ { target }) => onName(slot, /** @type {HTMLInputElement} */ (target).value)}>
     <button id="unpin-${slot + 1}" type="button" aria-label=${words.unpin(name)} @click=${() => onUnpin(slot)}>${words.unpinShort}</button>
   </li>`;

@@ -7,17 +7,20 @@ import { lab as words } from '../../words/index.js';
 import { advanceRobot, atEnd, fromStart, scrubStep } from '../clock.js';
 import { gainsOf } from '../drivers.js';
 import { noErrors } from '../first.js';
+import { isFree } from '../guard.js';
 import { afterHand } from '../undo.js';
 
 /** @param {Basis} basis */
 export function createDrive({ engine, store, paper, attempt, shown, driveAgain }) {
-  /** @param {readonly number[]} gains @param {Found} [found] */
-  const driveByHand = (gains, found = 'hand') => {
+  /** @param {readonly number[]} gains @param {Found} [found] @param {boolean} [areNew] Whether no hand has come to them from those that it had. */
+  const driveByHand = (gains, found = 'hand', areNew = store.get().driver !== 'hand') => {
     const handGains = /** @type {Triple} */ (gains);
     const before = store.get();
     engine.check(before.experiment, handGains);
-    const givesWay = found !== 'hand' && before.found === 'hand' && before.handGains !== null;
-    const versions = givesWay ? afterHand(before) : before.versions;
+    // Who cannot choose who drives has no other way back.
+    const isOwn = before.handGains ? before.found === 'hand' : !isFree(before, 'drives');
+    const isLost = areNew && String(before.handGains) !== String(gains);
+    const versions = isOwn && isLost ? afterHand(before) : before.versions;
     store.update({ handGains, found, driver: 'hand', gainErrors: noErrors, message: '', versions });
   };
 
@@ -55,7 +58,7 @@ export function createDrive({ engine, store, paper, attempt, shown, driveAgain }
 
     /** Drives by hand with all three gains. @param {Triple} gains @param {Found} [found] */
     driveGains(gains, found) {
-      attempt(() => driveByHand(gains, found));
+      attempt(() => driveByHand(gains, found, true));
     },
 
     /** @param {number} index @param {string} text */

@@ -2,6 +2,7 @@
 /** @import { Posture, Preset } from '../../core/engine.js' */
 /** @import { Value } from '../paths.js' */
 /** @import { Next, Restart, State, Trial } from '../state.js' */
+/** @import { Reached } from '../undo.js' */
 /** @import { Basis } from './basis.js' */
 import { Pending } from '../../core/pending.js';
 import { isLost, messageOf } from '../../words/errors.js';
@@ -10,8 +11,8 @@ import { wayOf } from '../exercise.js';
 import { noErrors } from '../first.js';
 import { valueAt, withValue } from '../paths.js';
 import { unreachable } from '../prepared.js';
-import { asked, endsOf, noTrial } from '../state.js';
-import { afterDrag, isOfNow, redone, undone } from '../undo.js';
+import { asked, endsOf, evolvedOf, noTrial } from '../state.js';
+import { afterDrag, cameBackTo, isSame as isSameTask, redone, undone } from '../undo.js';
 import { drawnFor } from '../variant.js';
 
 /** @typedef {'start' | 'goal'} End */
@@ -34,8 +35,22 @@ const createSettled =
       { what: 'begin', next },
     );
 
-/** What an exercise has of its own. @param {Basis} basis @param {(newest: number, generation: number) => void} catchUp */
-function createOwn({ engine, store }, catchUp) {
+/** @typedef {(newest: number, generation: number, goesOn?: boolean) => void} CatchUp */
+
+/** A run that was there before is evolved again; what it drove counts once. @param {Basis} basis @param {CatchUp} catchUp */
+const createResume =
+  ({ store }, catchUp) =>
+  (/** @type {Reached} */ { newest, generation, evolved }) => {
+    const { evolving, catchingUp, work } = store.get();
+    if (newest === 0) return;
+    const goesOn = evolving && !catchingUp;
+    store.update({ work: { ...work, spent: Math.max(0, work.spent - evolved), counted: newest } });
+    catchUp(newest, generation, goesOn);
+    if (goesOn && !store.get().catchingUp) store.update({ evolving: true });
+  };
+
+/** What an exercise has of its own. @param {Basis} basis @param {ReturnType<typeof createResume>} resume */
+function createOwn({ engine, store }, resume) {
   /** The experiment of the exercise, as it was drawn. @param {State} state */
   const ownOf = ({ student: { base, who }, exercise }) =>
     base && engine.experiment(drawnFor(base.experiment, exercise.vary, who));
@@ -43,10 +58,12 @@ function createOwn({ engine, store }, catchUp) {
   /** Where nobody may evolve, the exercise as it was given has the generation that was prepared. */
   const prepare = () => {
     const state = store.get();
-    const { exercise, experiment, generation, student, work } = state;
-    const prepared = student.base?.prepared.generation ?? work.opened;
-    if (generation > 0 || prepared === 0 || wayOf(exercise, 'run') === 'free') return;
-    if (JSON.stringify(ownOf(state)) === JSON.stringify(experiment)) catchUp(prepared, prepared);
+    const { exercise, experiment, generation, history, catchingUp, dragging, student, work } = state;
+    const newest = student.base?.prepared.generation ?? work.opened;
+    if (generation > 0 || catchingUp || dragging || newest === 0 || wayOf(exercise, 'run') === 'free') return;
+    if (JSON.stringify(ownOf(state)) !== JSON.stringify(experiment)) return;
+    const evolved = evolvedOf({ history, work: { ...work, counted: newest } });
+    resume({ newest, generation: newest, evolved });
   };
 
   /** Who drives, where that is the exercise's to say, and somebody else does. @returns {Partial<State>} */
@@ -60,35 +77,59 @@ function createOwn({ engine, store }, catchUp) {
   return { ownOf, ownHand, prepare };
 }
 
-/** @param {Basis} basis @param {(newest: number, generation: number) => void} catchUp */
-export function createExperiments(basis, catchUp) {
-  const { engine, store, attempt, nextOf, tryToBegin, begin, shown, settle, onceBegun } = basis;
-
-  const { ownOf, ownHand, prepare } = createOwn(basis, catchUp);
+/** Back to what was there before, and to what a gesture ends with. @param {Basis} basis @param {ReturnType<typeof createResume>} resume @param {() => void} prepare */
+function createReturns(basis, resume, prepare) {
+  const { store, settle, nextOf, onceBegun } = basis;
   const beginSettled = createSettled(basis);
-  /** A posture or a setting is let go. @param {Restart} restart */
-  const release = (restart) => {
-    const before = store.get();
-    const { next } = before.computing ?? {};
-    store.update({ dragging: false, versions: afterDrag(before) });
-    if (!next?.dragging) return settle();
-    beginSettled({ ...next, dragging: false, versions: afterDrag(asked(before)) }, restart);
-  };
+  return {
+    /** A posture or a setting is let go. @param {Restart} restart */
+    release(restart) {
+      const before = store.get();
+      const { next } = before.computing ?? {};
+      const back = cameBackTo(asked(before));
+      store.update({ dragging: false, versions: afterDrag(before) });
+      if (next?.dragging)
+        beginSettled({ ...next, dragging: false, versions: afterDrag(asked(before)) }, restart);
+      else settle();
+      onceBegun(() => {
+        if (back) resume(back.reached);
+        prepare();
+      });
+    },
 
-  /** @param {Restart} restart @param {typeof undone} stepOf */
-  const goTo = (restart, stepOf) => {
-    const now = asked(store.get());
-    const step = stepOf(now);
-    if (!step || now.dragging) return;
-    const { version, versions } = step;
-    const { preset, experiment, hand } = version;
-    const patch = hand && { ...hand, gainErrors: noErrors };
-    // Other gains alone begin nothing.
-    if (patch && !store.get().computing?.next && isOfNow(now, version)) {
-      store.update({ ...patch, versions });
-      return settle();
-    }
-    beginSettled(nextOf(experiment, { preset, versions }), restart, patch);
+    /** @param {Restart} restart @param {typeof undone} stepOf */
+    goTo(restart, stepOf) {
+      const now = asked(store.get());
+      const step = stepOf(now);
+      if (!step || now.dragging) return;
+      const { version, versions } = step;
+      const { preset, experiment, hand, reached } = version;
+      const patch = hand && { ...hand, gainErrors: noErrors };
+      // Other gains alone begin nothing.
+      if (patch && !store.get().computing?.next && isSameTask(now, version)) {
+        store.update({ ...patch, versions });
+        return settle();
+      }
+      beginSettled(nextOf(experiment, { preset, versions }), restart, patch);
+      onceBegun(() => {
+        resume(reached);
+        prepare();
+      });
+    },
+  };
+}
+
+/** @param {Basis} basis @param {CatchUp} catchUp */
+export function createExperiments(basis, catchUp) {
+  const { engine, store, attempt, nextOf, tryToBegin, shown, settle, onceBegun } = basis;
+
+  const resume = createResume(basis, catchUp);
+  const { ownOf, ownHand, prepare } = createOwn(basis, resume);
+  const { release, goTo } = createReturns(basis, resume, prepare);
+  const beginSettled = createSettled(basis);
+  /** @type {Basis['begin']} */
+  const begin = (...what) => {
+    basis.begin(...what);
     onceBegun(prepare);
   };
 
@@ -97,7 +138,7 @@ export function createExperiments(basis, catchUp) {
     store.update({ settings: { ...store.get().settings, error: { path, text } } });
 
   return {
-    ...createPostures(basis),
+    ...createPostures({ ...basis, begin }),
 
     releasePosture: () => release('moved'),
 
@@ -131,14 +172,17 @@ export function createExperiments(basis, catchUp) {
         },
         { what: 'begin', next },
       );
+      onceBegun(prepare);
     },
 
     releaseSetting: () => release('setting'),
 
     refuseSetting,
 
-    backToPreset: () =>
-      attempt(() => beginSettled(nextOf(engine.experiment(asked(store.get()).preset)), 'setting')),
+    backToPreset() {
+      attempt(() => beginSettled(nextOf(engine.experiment(asked(store.get()).preset)), 'setting'));
+      onceBegun(prepare);
+    },
 
     /** The experiment becomes the exercise's own again, and what drives in it, where nobody can choose that. */
     backToExercise() {

@@ -27,9 +27,11 @@ export const createOpenPage =
     if (before.trial !== noTrial) refitBox();
   };
 
-/** Whether others’ gains take the place of those that drive by hand. @param {State} before @param {Pick<LinkedRun, 'driver' | 'handGains'>} run */
-const takesHand = ({ driver, handGains }, run) =>
-  driver === 'hand' && (run.driver !== 'hand' || String(run.handGains) !== String(handGains));
+/** Whether others’ gains take the place of those that drive by hand, which in a step of the lesson may be the step's own. @param {State} before @param {Pick<LinkedRun, 'driver' | 'handGains'>} run */
+const takesHand = ({ driver, handGains, lesson, work }, run) =>
+  driver === 'hand' &&
+  (lesson === 0 || work.tries > 0) &&
+  (run.driver !== 'hand' || String(run.handGains) !== String(handGains));
 
 /** Whether a step of the lesson is opened, from another or from elsewhere. @param {State} before @param {Pick<LinkedRun, 'lesson'>} run */
 const entersStep = (before, { lesson }) => lesson > 0 && lesson !== before.lesson;

@@ -1,0 +1,21 @@
+// What is typed in a field is taken back with Escape.
+import assert from 'node:assert/strict';
+import { Key, pageTest } from '../harness/browsers.js';
+
+pageTest('Escape takes back what was typed of a gain, and of the name of a pin', async (page) => {
+  await page.open(`#curves&v=1&drives=hand&gains=3,1,5&view=compare&pin1=${encodeURIComponent('first~5,1,5')}`);
+  await page.until('the pin has a name', () => document.querySelector('#pin-name-1'));
+  const told = () =>
+    page.evaluate(() => {
+      const fields = [...document.querySelectorAll('#gain-ky, #pin-name-1')];
+      return [location.hash, ...fields.map((field) => /** @type {HTMLInputElement} */ (field).value)];
+    });
+  const before = await told();
+  assert.deepEqual(before.slice(1).toSorted(), ['1.000', 'first']);
+  for (const field of ['gain-ky', 'pin-name-1']) {
+    await page.focus(`#${field}`);
+    await page.press('9', '9', Key.ESCAPE, Key.TAB);
+    assert.notEqual(await page.evaluate(() => document.activeElement?.id), field);
+    assert.deepEqual(await told(), before, field);
+  }
+});
