@@ -37,12 +37,12 @@ const targetsFrom = (lowest) =>
   Array.from({ length: 51 }, (_, i) => lowest + 10 ** (-1 - (2 * i) / 50) * Math.abs(lowest));
 
 /** @param {Standings} standings @param {readonly number[]} drives */
-export const manySharesOf = ({ drawn, lowest }, drives) =>
-  drawn.map(({ trials }) =>
-    trials.length === 0 || !lowest
-      ? null
-      : drives.map((drive) => shareOfTargets(trials, targetsFrom(lowest.cost), drive)),
+export const manySharesOf = ({ drawn, lowest }, drives) => {
+  const targets = lowest ? targetsFrom(lowest.cost) : null;
+  return drawn.map(({ trials }) =>
+    trials.length === 0 || !targets ? null : drives.map((drive) => shareOfTargets(trials, targets, drive)),
   );
+};
 
 /** How far above the lowest. @param {number} lowest */
 export const distanceFrom = (lowest) => (/** @type {number} */ cost) => Math.max(cost - lowest, smallest);

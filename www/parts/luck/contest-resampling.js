@@ -4,6 +4,7 @@
 // Bootstrap: B. Efron, R. J. Tibshirani, “An Introduction to the Bootstrap”, 1993, chapter 13 (percentile interval).
 /** @import { End } from './contest-statistics.js' */
 import { spread } from '../../kit/hash.js';
+import { remember } from '../../kit/memo.js';
 import { compareEnds, exactTest, expectedRunningTime, holm, rankSums } from './contest-statistics.js';
 
 const resamples = 1000;
@@ -22,16 +23,23 @@ function numbers(seed) {
   };
 }
 
+/** Which of so many are drawn, one set after the other. */
+const drawnOf = remember((/** @type {number} */ count) => {
+  const next = numbers(0);
+  return Uint32Array.from({ length: resamples * count }, () => next() * count);
+});
+
 /**
  * The expected running times of sets of runs that are drawn from these with replacement; of two searches with the same seeds the same
  * ones are drawn.
  * @param {readonly number[]} runtimes @param {number} budget
  */
 export function resampledTimes(runtimes, budget) {
-  const next = numbers(0);
-  return Float64Array.from({ length: resamples }, () => {
-    const drawn = runtimes.map(() => runtimes[Math.floor(next() * runtimes.length)]);
-    return expectedRunningTime(drawn, budget);
+  const drawn = drawnOf(runtimes.length);
+  const set = new Float64Array(runtimes.length);
+  return Float64Array.from({ length: resamples }, (_, i) => {
+    for (let k = 0; k < set.length; k += 1) set[k] = runtimes[drawn[i * set.length + k]];
+    return expectedRunningTime(set, budget);
   });
 }
 

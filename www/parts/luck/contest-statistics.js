@@ -29,11 +29,14 @@ export function runtimeOf({ drives, costs }, target, budget = Infinity) {
  * The expected running time of COCO: how many drives it costs on average until the target is reached, if a run that has not
  * reached it by the budget is begun again with another seed. The drives of all runs, each until its target or the budget, by
  * the number of those that reached it; infinite if none did.
- * @param {readonly number[]} runtimes @param {number} budget
+ * @param {Iterable<number>} runtimes @param {number} budget
  */
 export function expectedRunningTime(runtimes, budget) {
-  const reached = runtimes.filter((runtime) => runtime <= budget).length;
-  const spent = runtimes.reduce((sum, runtime) => sum + Math.min(runtime, budget), 0);
+  let [reached, spent] = [0, 0];
+  for (const runtime of runtimes) {
+    if (runtime <= budget) reached += 1;
+    spent += Math.min(runtime, budget);
+  }
   return reached === 0 ? Infinity : spent / reached;
 }
 

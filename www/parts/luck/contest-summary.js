@@ -4,6 +4,7 @@
 /** @import { Comparison } from './contest-resampling.js' */
 /** @import { Contestant } from './contestants.js' */
 import { bisectRight } from 'd3-array';
+import { remember } from '../../kit/memo.js';
 import { leastRuns } from './contest-numbers.js';
 import {
   comparisonsOf,
@@ -73,6 +74,15 @@ const endsOf = (trials, target, budget) =>
     ]),
   );
 
+/** The same lines for the same seeds, whatever target they are read at: what is drawn of them is made once. */
+const drawnOf = remember(
+  (/** @type {readonly Line[]} */ lines, /** @type {number} */ count, /** @type {number} */ draw) => {
+    const seeds = lines[0].trials.map(({ seed }) => seed);
+    const drawn = new Set(someOf(seeds, count, draw));
+    return lines.map((line) => ({ ...line, trials: line.trials.filter(({ seed }) => drawn.has(seed)) }));
+  },
+);
+
 /** @param {Contest} contest @param {Reading} [reading] */
 export function standingsOf(contest, { target: chosen = null, until = null, only = null, draw = 0 } = {}) {
   const lowest = lowestOf(contest.lines);
@@ -81,11 +91,7 @@ export function standingsOf(contest, { target: chosen = null, until = null, only
   const seeds = contest.lines[0].trials.map(({ seed }) => seed);
   const count = Math.min(only ?? seeds.length, seeds.length);
   const isFew = count < seeds.length;
-  const drawn = new Set(someOf(seeds, count, draw));
-  const lines = contest.lines.map((line) => ({
-    ...line,
-    trials: isFew ? line.trials.filter(({ seed }) => drawn.has(seed)) : line.trials,
-  }));
+  const lines = isFew ? drawnOf(contest.lines, count, draw) : contest.lines;
   const all = contest.lines.map(({ trials }) => endsOf(trials, target, budget));
   const isBefore = budget <= contest.experiment.evolution.population;
   const standings = comparedOf(lines, target, budget, isBefore);
