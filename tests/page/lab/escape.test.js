@@ -3,7 +3,9 @@ import assert from 'node:assert/strict';
 import { Key, pageTest } from '../harness/browsers.js';
 
 pageTest('Escape takes back what was typed of a gain, and of the name of a pin', async (page) => {
-  await page.open(`#curves&v=1&drives=hand&gains=3,1,5&view=compare&pin1=${encodeURIComponent('first~5,1,5')}`);
+  await page.open(
+    `#curves&v=1&drives=hand&gains=3,1,5&view=compare&pin1=${encodeURIComponent('first~5,1,5')}`,
+  );
   await page.until('the pin has a name', () => document.querySelector('#pin-name-1'));
   const told = () =>
     page.evaluate(() => {
