@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// What a field is besides a range.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
     Real,
     Whole,
@@ -83,14 +83,27 @@ fn the_table_of_ranges_is_this_one() {
         };
         (field.path.clone(), field.min, field.max, field.unit, kind)
     };
-    let expected = RANGES.map(|(path, min, max, unit, kind)| (path.into(), min, max, unit, kind));
-    assert!(fields.iter().map(row).eq(expected), "{fields:#?}");
+    for (field, (path, min, max, unit, kind)) in fields.iter().zip(RANGES) {
+        assert_eq!(
+            row(field),
+            (path.into(), min, max, unit, kind),
+            "RANGES of this file, in the order of the fields"
+        );
+    }
+    assert_eq!(fields.len(), RANGES.len(), "RANGES of this file");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_table_of_words_is_this_one() {
     let fields = Experiment::fields().words;
-    assert!(fields.iter().map(|field| (field.path.as_str(), field.words)).eq(WORDS), "{fields:#?}");
+    for (field, (path, words)) in fields.iter().zip(WORDS) {
+        assert_eq!(
+            (field.path.as_str(), field.words),
+            (path, words),
+            "WORDS of tests/common/mod.rs, in the order of the fields"
+        );
+    }
+    assert_eq!(fields.len(), WORDS.len(), "WORDS of tests/common/mod.rs");
 }
 
 /// Links and files rest on it.
@@ -102,7 +115,7 @@ fn the_usual_experiment_is_this_one() {
     let numbers = |value: &Value| {
         value.to_string().replace(".0,", ",").replace(".0}", "}").replace(".0]", "]")
     };
-    assert_eq!(numbers(&preset), numbers(&known));
+    assert_eq!(numbers(&preset), numbers(&known), "PRESET of tests/common/mod.rs");
 }
 
 #[wasm_bindgen_test(unsupported = test)]

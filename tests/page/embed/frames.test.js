@@ -4,23 +4,11 @@ import { sizes, wantedHeight } from '../../../www/embed/frame.js';
 import { pageNames, parts } from '../../../www/parts/parts.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
 import { frameOf, inHost, within } from '../harness/host.js';
+import { samples } from '../parts/samples.js';
 
-/** The picture of a part, and what one presses first, where these are not the first that stand in it. @type {Record<string, string[]>} */
-const essentials = {
-  lab: ['#plane', '#run'],
-  park: ['.park-plane', '#park-evolve'],
-  generation: ['#generation-picture', '#generation-next'],
-  curves: ['#curves-picture', '#play'],
-  landscape: ['#landscape-map', '#run'],
-  robustness: ['#robustness-map', '#robustness-quantity'],
-  training: ['#training-unseen', '#training-evolve'],
-  disturbance: ['#remains', '#disturbance-kind'],
-  luck: ['#luck-curve', '#luck-run'],
-};
-
-/** @param {string} name */
+/** The picture of a part, and what one presses first. @param {string} name */
 const essentialsOf = (name) =>
-  essentials[name] ?? [
+  samples[name].essentials ?? [
     `section.${name} [data-picture]`,
     `section.${name} :is(button, select, input):not(.heading *)`,
   ];

@@ -2,6 +2,7 @@
 import { pageNames } from '../../../www/parts/parts.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
+/** @typedef {import('../../../www/run/exercise.js').Group} Group */
 /** A picture: some of its texts, and how many shapes (`path`) there are at least. Apart: other things stand between its parts. @typedef {{ name: string, key: string, texts: readonly string[], lines: number, apart?: boolean }} Pictured */
 /**
  * @typedef {object} Sample
@@ -11,6 +12,8 @@ import { pageNames } from '../../../www/parts/parts.js';
  * @property {Readonly<Record<string, string>>} [tables] By what a link says beside the part, the id of what opens a table.
  * @property {readonly { lead: (page: Page) => Promise<unknown>, id: string }[]} [done] How one comes to what is there only when work is done, and one control of it.
  * @property {readonly string[]} [free] The controls that change nothing that an exercise could lock.
+ * @property {Partial<Record<Group, readonly (readonly [view: string, selector: string])[]>>} [controls] Where a group that an exercise can hide has its controls in it: what a link says beside the part, and the controls. By hand, so that it does not know what the page believes to be its controls.
+ * @property {readonly [picture: string, control: string]} [essentials] What of it stays in sight in a small figure, where it is not the first of each.
  * @property {readonly { setUp?: (page: Page) => Promise<unknown>, pictures: readonly Pictured[] }[]} pictures What it offers as files, after what.
  */
 

@@ -33,21 +33,23 @@ async function slide(page, id, from, dx) {
 }
 
 test('every field has its name and its help, and every word its text, in every language', () => {
-  for (const { settings } of [en, ko]) {
+  for (const [language, { settings }] of Object.entries({ en, ko })) {
+    const wants = (/** @type {string} */ path) => `${path} in www/words/${language}/settings.js`;
     const known =
       /** @type {Record<string, { name: string, help: string, choices?: Record<string, string> }>} */ (
         settings.settings
       );
-    for (const { path } of rows) assert.ok(known[path]?.name && known[path].help, path);
+    for (const { path } of rows) assert.ok(known[path]?.name && known[path].help, wants(path));
     for (const { path, words } of wordFields())
-      assert.deepEqual(Object.keys(known[path]?.choices ?? {}).sort(), [...words].sort(), path);
+      assert.deepEqual(Object.keys(known[path]?.choices ?? {}).sort(), [...words].sort(), wants(path));
   }
 });
 
 test('every field of an experiment has a row', () => {
   const paths = rows.map(({ path }) => path);
   const general = new Set(paths.map((path) => path.replace(/\[\d\]/, '[]')));
-  for (const { path } of [...fields(), ...wordFields()]) assert.ok(general.has(path), `${path} has no row`);
+  for (const { path } of [...fields(), ...wordFields()])
+    assert.ok(general.has(path), `${path} has no row in www/settings/table.js`);
   for (const [list, length] of /** @type {const} */ ([
     ['weights.final', 3],
     ['weights.velocity', 2],

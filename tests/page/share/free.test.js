@@ -6,7 +6,7 @@ import { samples } from '../parts/samples.js';
 import { follow } from '../whole/surround.js';
 import { views } from '../whole/views.js';
 
-/** Works every control that looks free, once, also those that come with it. Links are tried elsewhere. @param {string} part */
+/** Works every control that looks free, once, also those that come with it, and points at every picture. Links are tried elsewhere. @param {string} part */
 async function workAll(part) {
   const selector = 'button, input, select, summary, [tabindex="0"]';
   /** @type {Set<Element>} */
@@ -54,6 +54,27 @@ async function workAll(part) {
     }
     await pageFrames.settled();
     if (reason.getAnimations().length > 0) found.push(some.map(nameOf).join(', '));
+    for (const animation of reason.getAnimations()) animation.cancel();
+  }
+  // Of a pointer that there is not.
+  Element.prototype.setPointerCapture = () => {};
+  for (const picture of document.querySelectorAll(`section.${part} [data-picture]`)) {
+    picture.scrollIntoView({ block: 'center' });
+    const { left, top, width, height } = picture.getBoundingClientRect();
+    const place = { clientX: left + width / 3, clientY: top + height / 2 };
+    const hit = document.elementFromPoint(place.clientX, place.clientY) ?? picture;
+    if (hit.closest('[aria-disabled="true"]')) continue;
+    for (const type of ['pointermove', 'pointerdown', 'pointermove', 'pointerup'])
+      hit.dispatchEvent(
+        new PointerEvent(type, {
+          bubbles: true,
+          ...place,
+          pointerType: 'mouse',
+          buttons: Number(type !== 'pointerup'),
+        }),
+      );
+    await pageFrames.settled();
+    if (reason.getAnimations().length > 0) found.push(`${picture.id || picture.className}, pointed at`);
     for (const animation of reason.getAnimations()) animation.cancel();
   }
   return { found, own };

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { parts } from '../../../www/parts/parts.js';
 import { groupNames } from '../../../www/run/exercise.js';
 import { pageTest } from '../harness/browsers.js';
+import { samples } from '../parts/samples.js';
 import { everything } from './everything.js';
 
 /** @typedef {import('../../../www/run/exercise.js').Group} Group */
@@ -10,46 +11,19 @@ import { everything } from './everything.js';
 const pageNames = parts.map(({ name }) => name);
 
 /**
- * Where each group has its controls: a link, without v, and the controls as selectors. It is written by hand, so that it does
- * not know what the page believes to be its controls.
+ * Where each group has its controls besides those that stand in the open part: a link, without v, and the controls as selectors.
  * @type {Record<Group, [link: string, selector: string][]>}
  */
 const controls = {
-  gains: [
-    ['lab', '#slider-kx, #gain-kx, #slider-ky, #gain-ky, #slider-ktheta, #gain-ktheta, #gains-note'],
-    ['curves&view=stability', '#slider-kx, #gain-ktheta'],
-    ['park', '#park-kx, #park-ky, #park-ktheta'],
-  ],
-  drives: [
-    ['lab', '#drives-evolved, #drives-hand, #drives-paper-ep, #drives-paper-arbitrary'],
-    ['robustness', '#drives-evolved, #drives-hand'],
-  ],
-  paper: [
-    ['lab', '#drives-paper-ep, #drives-paper-arbitrary, #page-lesson'],
-    ['disturbance', '#drives-paper-ep, #drives-paper-arbitrary'],
-  ],
+  gains: [['lab', '#slider-kx, #gain-kx, #slider-ky, #gain-ky, #slider-ktheta, #gain-ktheta, #gains-note']],
+  drives: [['lab', '#drives-evolved, #drives-hand, #drives-paper-ep, #drives-paper-arbitrary']],
+  paper: [['lab', '#drives-paper-ep, #drives-paper-arbitrary, #page-lesson']],
   postures: [['lab&goal.x=3', '#goal-position, #goal-heading, #start-position, #restore-postures']],
-  run: [
-    ['lab', '#run, #one-generation, #one-back, #timeline, #until, #pace, #reset'],
-    ['generation', '#generation-step button, #generation-begin, #run'],
-    ['curves', '#pause-evolution'],
-    ['training', '#training-evolve'],
-    ['luck', '#luck-run'],
-    ['luck&luck=contest', '#contest-run'],
-    ['park', '#park-evolve'],
-  ],
-  seed: [
-    ['lab', '#new-seed'],
-    ['landscape', '#new-seed'],
-    ['luck', '#luck-open'],
-  ],
-  clock: [
-    ['lab', '#play, #speed, #scrub, #robot-clock input'],
-    ['curves', '#play, #robot-clock input'],
-  ],
+  run: [['lab', '#run, #one-generation, #one-back, #timeline, #until, #pace, #reset']],
+  seed: [['lab', '#new-seed']],
+  clock: [['lab', '#play, #speed, #scrub, #robot-clock input']],
   settings: [
     ['lab', '#settings-button, #preset input'],
-    ['disturbance', '#disturbance-controls input, #disturbance-controls select'],
     ['lab&lesson=cost', '#weights input'],
   ],
   parts: ['park', 'lab', 'curves'].map((name) => [
@@ -62,6 +36,16 @@ const controls = {
   ],
   share: [['lab', '#keep-button']],
 };
+
+/** Also in the parts. @param {Group} group @returns {(readonly [link: string, selector: string])[]} */
+const controlsOf = (group) => [
+  ...controls[group],
+  ...Object.entries(samples).flatMap(([name, { controls: own = {} }]) =>
+    (own[group] ?? []).map(
+      ([view, selector]) => /** @type {const} */ ([view ? `${name}&${view}` : name, selector]),
+    ),
+  ),
+];
 
 /** What is there only when evolution has come to its end: `parts/park-exercise.test.js` tries it. */
 const elsewhere = ['.park-walk'];
@@ -97,7 +81,7 @@ const withKeys = (link, more) => {
 
 pageTest('the controls of a hidden group stand nowhere in the document', async (page) => {
   const all = groupNames.flatMap((group) =>
-    controls[group].map(([link, selector]) => ({ group, link, selector })),
+    controlsOf(group).map(([link, selector]) => ({ group, link, selector })),
   );
   /** @type {Map<string, string[]>} */
   const namesAt = new Map();
@@ -120,7 +104,11 @@ pageTest('the controls of a hidden group stand nowhere in the document', async (
       namesAt.set(`${group}: ${link}`, own);
     }
   }
-  assert.deepEqual(untried, [], 'what a part hides is not tried');
+  assert.deepEqual(
+    untried,
+    [],
+    'what a part hides is not tried: `controls` of its file in tests/page/parts/samples/',
+  );
   for (const { group, link } of all) {
     await page.open(withKeys(link, `hide=${group}`));
     await page.click('#keys-button');

@@ -10,7 +10,8 @@ const base64 = (/** @type {string} */ type, /** @type {Buffer} */ bytes) =>
   `data:${type};base64,${bytes.toString('base64')}`;
 
 test('the pictures of every part are tried', () => {
-  for (const [name, { pictures }] of Object.entries(samples)) assert.ok(pictures.length > 0, name);
+  for (const [name, { pictures }] of Object.entries(samples))
+    assert.ok(pictures.length > 0, `${name} has no pictures in tests/page/parts/samples/`);
 });
 
 /** Lines and letters, and a map: in every engine. */

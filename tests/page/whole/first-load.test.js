@@ -7,9 +7,9 @@ import { serve } from '../harness/server.js';
 
 /** The address alone opens the parking place. @type {readonly (readonly [fragment: string, bytes: number])[]} */
 const budgets = [
-  ['', 232_000],
-  ['#lab', 224_000],
-  ['#lab&v=1&lang=ko', 226_000],
+  ['', 235_000],
+  ['#lab', 227_000],
+  ['#lab&v=1&lang=ko', 229_000],
 ];
 
 pageTest('a first visit loads no more than it may', async (page) => {
@@ -37,7 +37,10 @@ pageTest('a first visit loads no more than it may', async (page) => {
         `no ${kind} was loaded`,
       );
     const all = sizes.map(({ file, size }) => `\n  ${size} ${file}`).join('');
-    assert.ok(sum <= budget, `${fragment || 'the address alone'} loads ${sum} bytes:${all}`);
+    assert.ok(
+      sum <= budget,
+      `${fragment || 'the address alone'} loads ${sum} bytes, of ${budget} that it may:${all}`,
+    );
   }
 });
 

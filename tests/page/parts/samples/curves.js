@@ -15,6 +15,12 @@ export const sample = {
     'stability-log',
     'stability-table',
   ],
+  controls: {
+    gains: [['view=stability', '#slider-kx, #gain-ktheta']],
+    run: [['', '#pause-evolution']],
+    clock: [['', '#play, #robot-clock input']],
+  },
+  essentials: ['#curves-picture', '#play'],
   pictures: [
     {
       pictures: [

@@ -5,6 +5,11 @@ import { plane, textOf } from '../pictured.js';
 export const sample = {
   tables: { '': 'disturbance-table' },
   free: ['disturbance-table'],
+  controls: {
+    paper: [['', '#drives-paper-ep, #drives-paper-arbitrary']],
+    settings: [['', '#disturbance-controls input, #disturbance-controls select']],
+  },
+  essentials: ['#remains', '#disturbance-kind'],
   pictures: [
     {
       setUp: (page) => textOf(page, 'remains-text', 'In the last'),

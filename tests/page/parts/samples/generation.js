@@ -16,6 +16,10 @@ export const sample = {
     'generation-picture',
     'generation-table',
   ],
+  controls: {
+    run: [['', '#generation-step button, #generation-begin, #run']],
+  },
+  essentials: ['#generation-picture', '#generation-next'],
   pictures: [
     {
       setUp: async (page) => {

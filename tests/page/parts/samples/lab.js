@@ -5,6 +5,7 @@ import { plane, textOf } from '../pictured.js';
 export const sample = {
   slice: { curve: 'sigmas' },
   tables: { '': 'fitness-table' },
+  essentials: ['#plane', '#run'],
   pictures: [
     {
       setUp: async (page) => {

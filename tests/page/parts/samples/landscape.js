@@ -6,6 +6,10 @@ export const sample = {
   slice: { x: { gain: 'ky', log: true }, y: { gain: 'kx', log: false }, third: 0.25 },
   tables: { '': 'landscape-table' },
   free: ['landscape-follows', 'landscape-table', 'landscape-third', 'landscape-x', 'landscape-y'],
+  controls: {
+    seed: [['', '#new-seed']],
+  },
+  essentials: ['#landscape-map', '#run'],
   pictures: [
     {
       setUp: (page) => textOf(page, 'landscape-note', '16 384 drives'),

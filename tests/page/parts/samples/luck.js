@@ -58,6 +58,14 @@ export const sample = {
     { lead: runSeeds, id: 'luck-log' },
     { lead: runSmallContest, id: 'contest-only' },
   ],
+  controls: {
+    run: [
+      ['', '#luck-run'],
+      ['luck=contest', '#contest-run'],
+    ],
+    seed: [['', '#luck-open']],
+  },
+  essentials: ['#luck-curve', '#luck-run'],
   pictures: [
     {
       setUp: runSeeds,

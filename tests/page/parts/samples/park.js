@@ -3,6 +3,11 @@
 /** @type {import('../samples.js').Sample} */
 export const sample = {
   free: ['park-again', 'park-close', 'park-next', 'park-previous'],
+  controls: {
+    gains: [['', '#park-kx, #park-ky, #park-ktheta']],
+    run: [['', '#park-evolve']],
+  },
+  essentials: ['.park-plane', '#park-evolve'],
   pictures: [
     {
       setUp: (page) =>

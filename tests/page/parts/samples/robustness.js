@@ -15,6 +15,10 @@ export const sample = {
     'robustness-rose',
     'robustness-table',
   ],
+  controls: {
+    drives: [['', '#drives-evolved, #drives-hand']],
+  },
+  essentials: ['#robustness-map', '#robustness-quantity'],
   pictures: [
     {
       setUp: (page) => textOf(page, 'robustness-note', '118 098 starts in'),

@@ -15,6 +15,10 @@ export const sample = {
       id: 'training-seeds',
     },
   ],
+  controls: {
+    run: [['', '#training-evolve']],
+  },
+  essentials: ['#training-unseen', '#training-evolve'],
   pictures: [
     {
       setUp: (page) => textOf(page, 'training-seen-title', 'From the start:'),
