@@ -129,6 +129,9 @@ const placeWords = remember(
     const whole = placeOfLegend(standing, lines, dashed);
     legend.dataset.at = whole.corner;
     legend.classList.toggle('short', whole.isShort);
+    // The second name stands by itself, where the styles of the lesson have it so.
+    const isFirstAbove = whole.corner === 'top left' && lines.length === 2;
+    legend.classList.toggle('apart', view.width <= 440 || (whole.isShort && isFirstAbove));
     const { side, under } = placeOfPostures(standing, lines.length, whole.rooms);
     const postures = byId('postures');
     postures.classList.toggle('left', side === 'left');

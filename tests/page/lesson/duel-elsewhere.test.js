@@ -1,3 +1,4 @@
+import assert from 'node:assert/strict';
 import { Key, pageTest } from '../harness/browsers.js';
 import { swarm } from '../../../www/lesson/words/en.js';
 import { contest, evolvedBest, yard } from './duel-task.js';
@@ -24,3 +25,29 @@ pageTest('evolution’s robots drive where they were bred, whatever the limits a
   await page.click('#duel-watch');
   await page.until('evolution’s robots once more', hasParked, ...theirs);
 });
+
+pageTest(
+  'who drives on while the duel is computed again after a reload sees what is driven',
+  async (page) => {
+    await page.open('#lesson&step=9');
+    await page.until('the robots', () => document.getElementById('swarm-parked'));
+    await page.focus('#slider-kx');
+    await page.press(Key.ARROW_RIGHT);
+    await page.click('#duel-lock');
+    await page.click('#quiz-ahead .choice:first-child');
+    await page.until('the table', () => document.getElementById('duel-table')?.checkVisibility());
+    await page.until('the answer', () => document.querySelector('#quiz-ahead .quiz-why strong'));
+  await page.driver.navigate().refresh();
+    await page.until('a slider is moved as soon as it is there', () => {
+      const slider = /** @type {HTMLInputElement | null} */ (document.getElementById('slider-kx'));
+      if (!slider?.checkVisibility() || !document.querySelector('.swarm-name')) return false;
+      slider.value = '12';
+      for (const type of ['input', 'change']) slider.dispatchEvent(new Event(type, { bubbles: true }));
+      return true;
+    });
+    await page.until('the table again', () => document.getElementById('duel-table')?.checkVisibility());
+    await page.evaluate(() => pageFrames.settled());
+    const { gains } = evolvedBest(1, 20);
+    assert.notEqual(await page.text('.swarm-name'), swarm.evolution(gains));
+  },
+);

@@ -222,6 +222,7 @@ function createRounds({ store, engine, actions }) {
   const ask = async (duel) => {
     if (asked === duel) return;
     asked = duel;
+    const { handGains } = store.get();
     try {
       const round = await roundOf(engine, duel, nextSeed(duel));
       // Whatever is shown of it meanwhile, it is the same as long as nobody has driven on.
@@ -230,7 +231,7 @@ function createRounds({ store, engine, actions }) {
         update(store, {
           duel: { ...now, rounds: [...now.rounds, round] },
           // Whoever has predicted wants to see it, but for who drives on.
-          ...(store.get().dragging ? {} : { sees: 'evolution' }),
+          ...(store.get().dragging || store.get().handGains !== handGains ? {} : { sees: 'evolution' }),
         });
     } catch (error) {
       hasFailed = true;

@@ -33,7 +33,7 @@ export const disturbance = {
       count < 3
         ? `After ${fixed(time, 2)} s not all three hold: the theorem promises nothing here.`
         : isCut
-          ? `After ${fixed(time, 2)} s all three hold, but the limits cut the command, and of limits the theorem knows nothing: {V} may rise.`
+          ? `After ${fixed(time, 2)} s all three hold, but the limits cut the command, a push that this ε leaves out: {V} may rise.`
           : `After ${fixed(time, 2)} s all three hold: by the theorem, {V} falls.`,
   },
   quizzes: {

@@ -70,7 +70,7 @@ export const stability = {
   notice: [
     'The two terms with {ky} cancel only where sin {te} is not 0. Where it is 0 and {ye} is not, the law has no value, and what our program puts in its place can raise {V} at once: [such a start](curves&view=stability&drives=hand&gains=3,8,5&start=2,1,45deg&limits.speed=off&limits.turnRate=off).',
     'Early the part of {kx} is the largest: most of {V} is lost by driving ahead.',
-    'Close to the goal all parts are tiny, and that of {ky} the tiniest: the fourth power of a small number is very small. The last centimetres to the side take long. The dotted curve is that of the dotted drive, for comparison.',
+    'Close to the goal all parts are tiny, and that of {ky} the tiniest: the fourth power of a small number is very small. The last centimetres to the side take long. The dotted curve is that of the dotted drive, for comparison; what a generation is, step 7 tells.',
     'One spot is flat without being the bottom: [on the goal, turned by 180°](curves&view=stability&drives=hand&gains=3,1,5&start=2,2,-135deg). There every term of the law is zero, and {V} stays at 2. It is no hilltop but a *saddle*: wherever the robot moves, {V} rises; only turning leads down. For seconds nothing happens, until rounding in the last digits has tipped the balance.',
   ],
 };

@@ -70,4 +70,6 @@ const crosses = { ep: 'Crosses: one σ.', 'one-plus-one-es': 'Cross: one σ.' };
 
 /** @param {import('../../../core/methods.js').Method} method @param {boolean} [isStill] No σ is above 0. */
 export const methodSketch = (method, isStill = false) =>
-  ['Line: the best so far.', isStill ? '' : crosses[method], sketches[method]].filter(Boolean).join(' ');
+  ['Thick line: the best so far. Thin lines: equal J.', isStill ? '' : crosses[method], sketches[method]]
+    .filter(Boolean)
+    .join(' ');

@@ -160,7 +160,7 @@ export const contestColumns = [
   },
 ];
 /** The columns in a line; their hints have it in full. */
-export const columnsText = 'ERT: drives per success. A12: pairs won. p: how likely by chance alone.';
+export const columnsText = 'ERT: drives per success. A12: pairs won. p: how often chance does as much.';
 /** @param {number} reached @param {number} count */
 export const reachedText = (reached, count) => `${reached} of ${count}`;
 
