@@ -37,7 +37,7 @@ pageTest(
     await page.click('#quiz-ahead .choice:first-child');
     await page.until('the table', () => document.getElementById('duel-table')?.checkVisibility());
     await page.until('the answer', () => document.querySelector('#quiz-ahead .quiz-why strong'));
-  await page.driver.navigate().refresh();
+    await page.driver.navigate().refresh();
     await page.until('a slider is moved as soon as it is there', () => {
       const slider = /** @type {HTMLInputElement | null} */ (document.getElementById('slider-kx'));
       if (!slider?.checkVisibility() || !document.querySelector('.swarm-name')) return false;
