@@ -60,7 +60,7 @@ export function createOverTime(root, tools) {
 
 /** @param {ReturnType<typeof readingsOf>} readings @param {string} label @param {string} note */
 const contentOf = (readings, label, note) => html`
-  <dl id="curves-readout" class="curves-readout row">${readings}</dl>
+  <dl id="curves-readout" class="curves-readout row not-in-sight">${readings}</dl>
   <div id="curves-picture" class="curves-picture picture layers" data-picture="curves" data-name=${words.texts.curvesPicture}>
     <canvas id="curves-lines" role="img" aria-label=${label}></canvas>
     <canvas id="curves-cursor" aria-hidden="true"></canvas>

@@ -85,7 +85,7 @@ export function createControls({ engine, store, actions }) {
         ${segmentedOf('disturbance-kind', words.kindLegend, listed(words.kinds), now.kind, chooseKind)}
         <button id="disturbance-draw" type="button" .hidden=${now.kind !== 'random'} @click=${onDraw}>${words.texts.disturbanceDraw}</button>
       </div>
-      <fieldset id="disturbance-sizes" class="sizes" aria-label=${words.texts.disturbanceSizes}
+      <fieldset id="disturbance-sizes" class="sizes large-figure-only" aria-label=${words.texts.disturbanceSizes}
         .disabled=${now.kind === 'none'}>${rowsOf(now, error)}</fieldset>
     </fieldset>`;
 }

@@ -10,7 +10,7 @@ const { texts } = words;
 
 /** @param {Summary | null} summary Nothing is in sight until there is one. @param {boolean} isVain None comes: its place is not kept. */
 export const tableOf = (summary, isVain) => html`
-  <ul id="remains-legend" class="remains-legend lines row muted" data-picture="disturbance"
+  <ul id="remains-legend" class="remains-legend lines row muted not-in-small-figure" data-picture="disturbance"
     data-name=${texts.disturbancePicture} aria-hidden="true" ?hidden=${isVain}>
     ${Object.entries(words.legend).map(([name, text]) => (name === 'set' && !hasSets(summary) ? nothing : html`<li class=${name}>${text}</li>`))}
   </ul>
@@ -26,7 +26,7 @@ export const tableOf = (summary, isVain) => html`
     </thead>
     <tbody id="remains-rows">${parts.map((part) => rowOf(part, summary))}</tbody>
   </table>
-  <p id="remains-text" class="remains-text" ?hidden=${isVain}>${summary && words.summaryText(summary)}</p>`;
+  <p id="remains-text" class="remains-text not-in-figure" ?hidden=${isVain}>${summary && words.summaryText(summary)}</p>`;
 
 /** Until there is a summary nothing speaks against them. @param {Summary | null} summary */
 const hasSets = (summary) => summary === null || words.isPromised(summary);

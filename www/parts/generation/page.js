@@ -97,7 +97,7 @@ function contentOf(model, hurries, { steps, onTable, onBegin, ...context }) {
         class="key parent">${words.keyOf(anatomy, 'parent')}</span><span class="key offspring">${words.keyOf(anatomy, 'offspring')}</span></p>
       <button id="generation-table" type="button" class="link muted" @click=${onTable}>${words.texts.generationTable}</button>
     </div>
-    <div class="phases">
+    <div class="phases not-in-small-figure">
       ${segmentedOf('generation-phases', words.phaseLegend, choices(anatomy), phase, steps.show)}
       <button id="generation-begin" type="button" class="primary" .hidden=${!initial} @click=${onBegin}>${words.beginText(anatomy)}</button>
     </div>
@@ -112,7 +112,7 @@ function contentOf(model, hurries, { steps, onTable, onBegin, ...context }) {
     <div id="generation-picture" class="generation-picture picture" data-picture="generation"
       data-name=${words.texts.generationPicture} data-drawn=${phase} role="slider" tabindex="0"
       aria-label=${words.pictureLabel}></div>
-    <div id="generation-details" class="generation-details" role="group" aria-label=${words.texts.generationDetails}>
+    <div id="generation-details" class="generation-details large-figure-only" role="group" aria-label=${words.texts.generationDetails}>
       ${detailsOf(model, context)}
     </div>`;
 }

@@ -95,7 +95,7 @@ function sight(landscape, { spec, isTyping, evolving, readout, lowest, legend },
       <p id="landscape-note" class="muted">${noteText(landscape, spec)}</p>
       ${tableButton('landscape', landscape.result, landscapeTable)}
     </div>
-    <div class="bar axes">
+    <div class="bar axes large-figure-only">
       <label>→ ${axisChoice('x', landscape, texts.landscapeAcross, on)}</label>
       <label>↑ ${axisChoice('y', landscape, texts.landscapeUp, on)}</label>
       ${thirdGain(landscape, spec.third, isTyping, on)}
@@ -108,7 +108,7 @@ function sight(landscape, { spec, isTyping, evolving, readout, lowest, legend },
         <canvas id="landscape-marks" aria-hidden="true"></canvas>
       </div>
       <canvas id="landscape-legend" class="map-legend" data-picture="landscape" aria-hidden="true"></canvas>
-      <p id="landscape-lowest" class="muted">${lowest ? html`${signOf()} ${withSymbols(lowestText(lowest))}` : nothing}</p>
+      <p id="landscape-lowest" class="muted large-figure-only">${lowest ? html`${signOf()} ${withSymbols(lowestText(lowest))}` : nothing}</p>
       <p id="landscape-readout" class="readout" aria-live=${landscape.cursor && !evolving ? 'polite' : 'off'} aria-atomic="true">${withSymbols(readout)}</p>
     </div>`;
 }

@@ -46,7 +46,7 @@ export function contestSight(state, standings, stale, isTyping, on) {
     ${entrants(luck, on)}
     <p id="contest-status" class="luck-status" role="status">${statusText(luck, stale)}</p>
     <p id="contest-said" class="visually-hidden" role="status">${contest && !contestRuns && !contest.cancelled ? `${noteText(luck)}. ${sentences.join(' ')}` : ''}</p>
-    ${contest ? nothing : html`<p id="contest-finding" class="luck-finding">${words.contestInvitation(luck, state.experiment.starts.length)}</p>`}
+    ${contest ? nothing : html`<p id="contest-finding" class="luck-finding not-in-small-figure">${words.contestInvitation(luck, state.experiment.starts.length)}</p>`}
     <fieldset id="contest-reading" class="segmented small" .hidden=${!standings?.lowest}>
       ${choicesOf('contest-reading', texts.reading, listed(words.readings), luck.reading, (reading) => on.update({ reading }))}
     </fieldset>
@@ -78,7 +78,7 @@ function entrants({ others, contestRuns }, { update }) {
   };
   const named = (/** @type {readonly Contestant[]} */ names) =>
     names.map((name) => /** @type {const} */ ([name, words.contestantName(name)]));
-  return html`<ul class="contestants">
+  return html`<ul class="contestants not-in-figure">
     <li class="row">${legend[0]}<span>${words.asInLab}</span></li>
     ${Array.from({ length: mostOthers }, (_, i) => {
       const own = others[i] ?? '';
@@ -103,7 +103,7 @@ function targetField({ target, targetError, contest }, standings, isTyping, { up
     );
   };
   return html`
-    <div class="bar contest-target">
+    <div class="bar contest-target not-in-figure">
       <label class="bar"><span>${texts.target}</span>
         <input id="contest-target" type="text" inputmode="decimal" .value=${isTyping ? noChange : live(words.targetText(standings.target))}
           aria-describedby="contest-target-error" aria-invalid=${String(targetError !== '')}
@@ -126,7 +126,7 @@ function fewerSeeds({ draw, contestRuns }, { count, seeds }, { update }) {
     update({ only: only === seeds ? null : only });
   };
   return html`
-    <div class="bar contest-fewer">
+    <div class="bar contest-fewer not-in-figure">
       <label class="bar"><span>${texts.fewer}</span>
         <input id="contest-only" type="range" min="1" max=${seeds} .value=${live(String(count))} .disabled=${contestRuns} aria-valuetext=${words.seedsText(count, seeds)} @input=${change}></label>
       <span id="contest-count">${words.seedsText(count, seeds)}</span>
@@ -155,7 +155,7 @@ const table = ({ lines }) => html`
       </tbody>`,
     )}
   </table></div>
-  <p class="contest-columns muted">${words.columnsText}</p>`;
+  <p class="contest-columns muted large-figure-only">${words.columnsText}</p>`;
 
 /** @param {Standing} line */
 function cellsOf({ count, reached, ert, median, comparison }) {

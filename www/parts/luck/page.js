@@ -19,7 +19,7 @@ export function createPage(tools) {
   const section = createSection('luck');
   const showView = (/** @type {LuckState['view']} */ view) =>
     render(
-      html`${segmentedOf('luck-view', words.viewLegend, listed(words.views), view, (chosen) => luckSlice.update(store, { view: chosen }), 'small')}
+      html`${segmentedOf('luck-view', words.viewLegend, listed(words.views), view, (chosen) => luckSlice.update(store, { view: chosen }), 'small not-in-figure not-in-sight')}
         <div class="luck-sight" .hidden=${view !== 'seeds'}></div>
         <div class="luck-sight" .hidden=${view !== 'contest'}></div>`,
       section,

@@ -43,7 +43,7 @@ export function sight(state, index, fresh, on) {
     </div>
     ${bar(luck, on)}
     <p id="luck-status" class="luck-status" role="status">${statusText(state, fresh)}</p>
-    <p id="luck-finding" class="luck-finding" aria-live=${result || luck.progress !== null ? 'polite' : 'off'}>${finding}</p>
+    <p id="luck-finding" class="luck-finding not-in-small-figure" aria-live=${result || luck.progress !== null ? 'polite' : 'off'}>${finding}</p>
     <div class="heading luck-legend">
       <p class="muted" data-picture="luck-curve" data-name=${texts.luckCurvePicture}>${texts.luckCurve}</p>
       ${checkOf('luck-log', texts.luckLog, log, (isOn) => on.update({ log: isOn }), { more: 'muted', isDisabled: !survey })}
@@ -52,7 +52,7 @@ export function sight(state, index, fresh, on) {
       aria-label=${survey ? words.curveLabel(survey, result ? finding : `${words.seedsOf(survey.runs.length, survey.count)}.`) : words.emptyCurveLabel}></div>
     <div class="heading luck-legend muted" data-picture="luck-gains"><p>${texts.luckGainsTitle}${hidesPaper(state) ? '' : words.paperSign}</p>
       <p id="luck-median" .hidden=${!survey}>${texts.luckMedian}</p></div>
-    <canvas id="luck-gains" class="luck-gains" data-picture="luck-gains" data-name=${texts.luckGainsPicture} role="img"
+    <canvas id="luck-gains" class="luck-gains large-figure-only" data-picture="luck-gains" data-name=${texts.luckGainsPicture} role="img"
       aria-label=${survey ? words.gainsLabel(survey) : words.emptyGainsLabel}></canvas>
     ${seedInQuestion(luck, index, fresh, on)}`;
 }
@@ -81,7 +81,7 @@ function seedInQuestion({ soFar, result }, index, fresh, { onRank, onOpen }) {
   const readout = isThere ? words.readout(result, index, rank) : '';
   const seed = isThere ? result.first + index : 1;
   return html`
-    <div id="luck-seed" class=${soFar ? 'luck-seed later' : 'luck-seed'} .hidden=${!result}>
+    <div id="luck-seed" class=${`luck-seed not-in-figure ${soFar ? 'later' : ''}`} .hidden=${!result}>
       <label class="bar"><span class="muted">${texts.luckLuckiest}</span>
         <input id="luck-rank" type="range" min="1" step="1" aria-label=${texts.luckRank} aria-valuetext=${readout}
           .max=${String(result?.runs.length ?? 1)} .value=${live(String(rank))}

@@ -18,7 +18,7 @@ export function heading(model, after) {
   const newest = model.evolving ? undefined : model.bred.at(-1);
   return html`
     <h2 id="park-title">${words.title}</h2>
-    <p class="park-say">${after && newest ? html`${after.ending(model, newest)}${after.beyond(model, newest)}` : words.invitation(model.count)}</p>`;
+    <p class="park-say not-in-small-figure">${after && newest ? html`${after.ending(model, newest)}${after.beyond(model, newest)}` : words.invitation(model.count)}</p>`;
 }
 
 /** Whose robots drive. @param {Model} model @param {After} after */
@@ -39,15 +39,15 @@ export function sight(model, on, after, failed) {
     <p class="park-bar row">
       <button id="park-evolve" type="button" class=${newest ? '' : 'primary'} .disabled=${!model.moved && model.isFree} aria-describedby=${bred.length > 0 ? nothing : 'park-hint'}
         @click=${evolving ? on.stop : on.evolve}>${evolving ? words.stop : newest ? words.otherSeed : words.evolve}</button>
-      <button id="park-again" type="button" aria-disabled=${String(evolving || !over)} @click=${unless(evolving || !over, on.again)}>${words.again}</button>
+      <button id="park-again" type="button" class="not-in-small-figure" aria-disabled=${String(evolving || !over)} @click=${unless(evolving || !over, on.again)}>${words.again}</button>
     </p>
     ${after && newest ? after.key(model) : nothing}
     ${failed}
     ${message ? html`<p class="message" role="alert">${message}</p>` : nothing}
-    ${newest ? after?.climb(model) : html`<p id="park-hint" class="muted">${model.moved || !model.isFree ? words.ready(model.population) : words.first}</p>`}
+    ${newest ? after?.climb(model) : html`<p id="park-hint" class="muted not-in-small-figure">${model.moved || !model.isFree ? words.ready(model.population) : words.first}</p>`}
     ${newest && !evolving ? after?.comparison(model, newest, after.walk) : nothing}
-    ${newest && !evolving ? html`<p class="park-on row">${on.lesson ? html`<a id="park-lesson" href="#${on.lesson}">${words.how}</a>` : nothing} ${on.lab ? html`<a id="park-lab" href="#${on.lab}">${words.openLab}</a>` : nothing}</p>` : nothing}
-    ${over && !evolving && parked < count ? html`<p class="muted">${words.missed(model.tolerance)} <span class="hint">${words.pressOne}</span></p>` : nothing}
+    ${newest && !evolving ? html`<p class="park-on row">${on.lesson ? html`<a id="park-lesson" href="#${on.lesson}">${words.how}</a>` : nothing} ${on.lab ? html`<a id="park-lab" class="not-in-small-figure" href="#${on.lab}">${words.openLab}</a>` : nothing}</p>` : nothing}
+    ${over && !evolving && parked < count ? html`<p class="muted not-in-small-figure">${words.missed(model.tolerance)} <span class="hint">${words.pressOne}</span></p>` : nothing}
     <p class="visually-hidden" role="status">${keyed(film, html`${over && !evolving ? (after?.told(model) ?? words.picture(parked, count)) : ''}`)}</p>`;
 }
 
@@ -56,7 +56,7 @@ function rowOf({ id, name, letter, index: sub }, index, model, on, after) {
   const { gains, driven, bred, isOwn, evolving, ends, endsBefore } = model;
   const [value, most] = [gains[index], ends[index]];
   return html`<div class="gain ${id}">
-    <label for="park-${id}"><span translate="no">${letter}<sub>${sub}</sub></span> <span class="park-what">${words.whatFor[index]}</span></label>
+    <label for="park-${id}"><span translate="no">${letter}<sub>${sub}</sub></span> <span class="park-what not-in-figure">${words.whatFor[index]}</span></label>
     <input id="park-${id}" type="range" step="0.1" aria-label=${`${name}, ${words.whatFor[index]}`} min="0" max=${most}
       .value=${live(String(value))} .disabled=${evolving} ${styled('--from', '0%')} ${styled('--to', `${(100 * value) / most}%`)}
       @input=${(/** @type {Event} */ event) => on.slide(index, Number(valueIn(event)))}>

@@ -124,12 +124,12 @@ function sight({ survey, message, quantity, heading, half }, shown, { update, on
       <div class="survey-side">
         ${segmentedOf('robustness-headings', words.headingLegend, listed(words.headingChoices), choice, onHeadings)}
         <div id="robustness-rose" class="rose" data-picture="robustness" role="slider" tabindex="0"></div>
-        <div id="robustness-legend" class="survey-legend" data-picture="robustness"></div>
+        <div id="robustness-legend" class="survey-legend not-in-small-figure" data-picture="robustness"></div>
       </div>
     </div>
-    <p class="survey-ring">${shown.ring}</p>
+    <p class="survey-ring not-in-figure">${shown.ring}</p>
     <p id="robustness-sides" class="visually-hidden">${shown.sides}</p>
-    <p id="robustness-readout" class="readout" aria-live=${shown.isRead ? 'polite' : 'off'}>${shown.readout}</p>`;
+    <p id="robustness-readout" class="readout not-in-figure" aria-live=${shown.isRead ? 'polite' : 'off'}>${shown.readout}</p>`;
 }
 
 /** @param {RobustnessState} robustness @param {Spec} spec */

@@ -236,12 +236,12 @@ function sight(state, rows, titles, readout, { choose, evolve, spread: onSpread,
           runs ? words.cancel : evolved ? words.evolveAgain : words.evolveAll
         }</button>
       ${selectOf('training-generations', texts.trainingGenerations, lengthChoices, generations, (chosen) => update({ generations: chosen }))}
-      <button id="training-seeds" type="button" title=${words.seedsHint(seedCount)} aria-disabled=${String(hasNoSeeds)}
+      <button id="training-seeds" type="button" class="not-in-small-figure" title=${words.seedsHint(seedCount)} aria-disabled=${String(hasNoSeeds)}
         @click=${unless(hasNoSeeds, onSpread)}>${words.seedsButton(seedCount)}</button>
       <progress id="training-progress" max="1" class=${runs ? '' : 'visually-hidden'}
         aria-label=${texts.trainingProgress} .value=${progress ?? 0}></progress>
     </div>
-    <p id="training-finding" class=${changes.length > 0 ? 'training-finding old' : 'training-finding'} aria-live=${evolved || runs ? 'polite' : 'off'}>${findingOf(state, rows)}</p>
+    <p id="training-finding" class=${`training-finding not-in-small-figure ${changes.length > 0 ? 'old' : ''}`} aria-live=${evolved || runs ? 'polite' : 'off'}>${findingOf(state, rows)}</p>
     ${tableOf(rows, spread, chosenOf(state), { unseen: unseenCount, own: experiment.starts.length, follows }, choose)}
     <div class="training-pictures picture" data-picture="training" data-name=${words.texts.trainingPicture}>
       <p id="training-seen-title">${titles[0]}</p>
@@ -250,7 +250,7 @@ function sight(state, rows, titles, readout, { choose, evolve, spread: onSpread,
       <canvas id="training-unseen" role="application" tabindex="0" aria-describedby="training-readout" aria-label=${words.pictureLabel(titles[1])}></canvas>
     </div>
     <p id="training-readout" class="visually-hidden" aria-live="polite">${readout}</p>
-    <p id="training-key" class="muted training-key" data-picture="training">${follows ? nothing : html`${sign('arrives')} ${words.signs.arrives} ${sign('misses')} ${words.signs.misses} `}${isVain ? nothing : html`<span class="hint">${words.pressOne}</span>`} ${words.key(
+    <p id="training-key" class="muted training-key not-in-figure not-in-sight" data-picture="training">${follows ? nothing : html`${sign('arrives')} ${words.signs.arrives} ${sign('misses')} ${words.signs.misses} `}${isVain ? nothing : html`<span class="hint">${words.pressOne}</span>`} ${words.key(
       unseenCount,
       unseenRadius,
       experiment.horizon,

@@ -68,7 +68,7 @@ const contentOf = ({ name, driving, law, sample, label, note, isLog }, onLog) =>
     <canvas id="stability-lines" role="img" aria-label=${label}></canvas>
     <canvas id="stability-cursor" aria-hidden="true"></canvas>
   </div>
-  <div class="stability-foot row">
+  <div class="stability-foot row not-in-small-figure">
     <p id="stability-note" class="muted">${note}</p>
     ${checkOf('stability-log', words.texts.stabilityLog, isLog, onLog, { more: 'muted' })}
     <button id="stability-table" type="button" class="link muted" @click=${() => showTable(stabilityTable(name, driving))}>${words.texts.stabilityTable}</button>
