@@ -199,5 +199,5 @@ function foot(number) {
     number === pathLength
       ? html`<p class="lesson-end">${inline(words.pathEnds, (link) => hrefOf(link, 0))}</p>`
       : nothing;
-  return html`${end}<nav class="lesson-foot row">${to(number - 1, 'step-back', words.previousStep)}${to(number + 1, 'step-on', words.nextStep)}</nav>`;
+  return html`${end}<nav class="lesson-foot row">${to(number - 1, 'step-back', words.previousStep)}${to(number + 1, 'step-on primary', words.nextStep)}</nav>`;
 }

@@ -22,7 +22,7 @@ export function checkValues(engine, paper) {
 export function createCheckValues({ engine }, { values: words }) {
   const values = checkValues(engine, engine.paper());
   const rows = words.rows.map((text, i) => [text, String(values[i]).replace('-', '−')]);
-  const element = tableOf('lesson-table check-values', words.heads, rows);
+  const element = tableOf('lesson-table ruled check-values', words.heads, rows);
   element.id = 'check-values';
   element.setAttribute('aria-label', words.label);
   return { element, draw() {} };

@@ -52,7 +52,7 @@ export function createPaperTable({ engine }, words) {
       ]);
     }
     // Who is in it, or has scrolled it, stays there.
-    const table = tableOf('lesson-table', words.head, rows);
+    const table = tableOf('lesson-table ruled', words.head, rows);
     // It stands right below the heading of its step.
     table.setAttribute('aria-labelledby', 'lesson-title');
     box.replaceChildren(table);
@@ -82,7 +82,7 @@ export function createChoicesTable({ engine }, words) {
   /** @type {string[][]} */
   const texts = words.choices(textsOf(e, a));
   const rows = texts.map((row) => row.map((text) => create('span', '', ...inline(text, String))));
-  const table = tableOf('lesson-table choices-table', words.choicesHead, rows);
+  const table = tableOf('lesson-table ruled choices-table', words.choicesHead, rows);
   const element = create('section', '', create('h3', '', words.choicesTitle), scrolling(table));
   table.setAttribute('aria-label', words.choicesTitle);
   return { element, draw() {} };

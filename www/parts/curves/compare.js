@@ -96,7 +96,7 @@ const itemOf = ({ slot, name }, { onTyping, onName, onUnpin }, isTyping) => html
 function tableOf(columns, settingTexts) {
   const differing = settingTexts(columns.map(({ experiment }) => experiment));
   return html`
-    <table id="pins-table" class="curves-table" aria-label=${words.texts.comparisonTable}>
+    <table id="pins-table" class="curves-table ruled" aria-label=${words.texts.comparisonTable}>
       <thead><tr><td></td>${columns.map(headOf)}</tr></thead>
       <tbody>
         ${resultRows(columns).map(rowOf)}

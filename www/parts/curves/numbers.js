@@ -41,7 +41,7 @@ function numbersOf(run) {
 
 /** @param {string} name @param {Numbers} numbers @param {Numbers['rows'][number] | undefined} marked */
 const tableOf = (name, { step, rows }, marked) => html`
-  <table id="numbers-table" class="curves-table numbers">
+  <table id="numbers-table" class="curves-table ruled numbers">
     <caption>${words.numbersCaption(name, step)}</caption>
     <thead><tr>${words.numberColumns.map(({ head }) => html`<th scope="col">${head}</th>`)}</tr></thead>
     <tbody>${rows.map(

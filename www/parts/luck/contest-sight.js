@@ -78,7 +78,7 @@ function entrants({ others, contestRuns }, { update }) {
   };
   const named = (/** @type {readonly Contestant[]} */ names) =>
     names.map((name) => /** @type {const} */ ([name, words.contestantName(name)]));
-  return html`<ul class="contestants not-in-figure">
+  return html`<ul class="contestants not-in-figure not-on-paper">
     <li class="row">${legend[0]}<span>${words.asInLab}</span></li>
     ${Array.from({ length: mostOthers }, (_, i) => {
       const own = others[i] ?? '';

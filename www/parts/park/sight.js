@@ -36,7 +36,7 @@ export function sight(model, on, after, failed) {
     <p class="park-count"><strong id="park-count">${parked}</strong> <span>${words.ofParked(count)}</span>
       <span class="muted">${driverOf(model, after)}</span></p>
     <fieldset id="park-gains" class=${newest && !isOwn ? 'is-idle' : ''} aria-label=${words.sliders}>${lab.gains.map((gain, i) => rowOf(gain, i, model, on, after))}</fieldset>
-    <p class="park-bar row">
+    <p class="park-bar row not-on-paper">
       <button id="park-evolve" type="button" class=${newest ? '' : 'primary'} .disabled=${!model.moved && model.isFree} aria-describedby=${bred.length > 0 ? nothing : 'park-hint'}
         @click=${evolving ? on.stop : on.evolve}>${evolving ? words.stop : newest ? words.otherSeed : words.evolve}</button>
       <button id="park-again" type="button" class="not-in-small-figure" aria-disabled=${String(evolving || !over)} @click=${unless(evolving || !over, on.again)}>${words.again}</button>
@@ -44,9 +44,9 @@ export function sight(model, on, after, failed) {
     ${after && newest ? after.key(model) : nothing}
     ${failed}
     ${message ? html`<p class="message" role="alert">${message}</p>` : nothing}
-    ${newest ? after?.climb(model) : html`<p id="park-hint" class="muted not-in-small-figure">${model.moved || !model.isFree ? words.ready(model.population) : words.first}</p>`}
+    ${newest ? after?.climb(model) : html`<p id="park-hint" class="muted not-in-small-figure not-on-paper">${model.moved || !model.isFree ? words.ready(model.population) : words.first}</p>`}
     ${newest && !evolving ? after?.comparison(model, newest, after.walk) : nothing}
-    ${newest && !evolving ? html`<p class="park-on row">${on.lesson ? html`<a id="park-lesson" href="#${on.lesson}">${words.how}</a>` : nothing} ${on.lab ? html`<a id="park-lab" class="not-in-small-figure" href="#${on.lab}">${words.openLab}</a>` : nothing}</p>` : nothing}
+    ${newest && !evolving ? html`<p class="park-on row not-on-paper">${on.lesson ? html`<a id="park-lesson" href="#${on.lesson}">${words.how}</a>` : nothing} ${on.lab ? html`<a id="park-lab" class="not-in-small-figure" href="#${on.lab}">${words.openLab}</a>` : nothing}</p>` : nothing}
     ${over && !evolving && parked < count ? html`<p class="muted not-in-small-figure">${words.missed(model.tolerance)} <span class="hint">${words.pressOne}</span></p>` : nothing}
     <p class="visually-hidden" role="status">${keyed(film, html`${over && !evolving ? (after?.told(model) ?? words.picture(parked, count)) : ''}`)}</p>`;
 }
@@ -61,7 +61,7 @@ function rowOf({ id, name, letter, index: sub }, index, model, on, after) {
       .value=${live(String(value))} .disabled=${evolving} ${styled('--from', '0%')} ${styled('--to', `${(100 * value) / most}%`)}
       @input=${(/** @type {Event} */ event) => on.slide(index, Number(valueIn(event)))}>
     <span class="park-gain">${words.gain(value)}</span>
-    ${most > endsBefore[index] ? html`<span class="park-end muted" aria-hidden="true">${most}</span>` : nothing}
+    ${most > endsBefore[index] ? html`<span class="park-end muted not-on-paper" aria-hidden="true">${most}</span>` : nothing}
     ${bred.length > 0 ? after?.mark(isOwn ? (bred.at(-1)?.gains ?? driven)[index] : driven[index], most) : nothing}
   </div>`;
 }

@@ -17,7 +17,7 @@ export function tableOf(rows, spread, chosen, counts, onChoose) {
     ({ result }) => result && [result.unseen.cost, result.own].some((cost) => words.cost(cost).length > 5),
   );
   return html`
-    <table id="training-table" class="training-table not-in-small-figure ${isLong ? 'long' : ''}" aria-label=${words.texts.trainingTable}>
+    <table id="training-table" class="training-table ruled not-in-small-figure ${isLong ? 'long' : ''}" aria-label=${words.texts.trainingTable}>
       <thead><tr>${heads.map((text, i) => html`<th scope="col">${text}${i === 0 ? gainsOf((name) => name) : nothing}</th>`)}</tr></thead>
       <tbody>${rows.map((row) => rowOf(row, spread, counts, row.name === chosen, onChoose))}</tbody>
     </table>`;

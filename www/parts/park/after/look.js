@@ -55,7 +55,7 @@ export function createLook(engine, task) {
 
     /** @param {number} index @param {Triple} gains @param {string | null} lab @param {(index: number | null) => void} look */
     note: (index, gains, lab, look) => html`<p id="park-told">${textOf(index, gains)}</p>
-      <p class="park-look-on row">
+      <p class="park-look-on row not-on-paper">
         <button id="park-previous" type="button" aria-label=${words.previous} @click=${() => look(stepped(index, -1))}>‹</button>
         <button id="park-next" type="button" aria-label=${words.next} @click=${() => look(stepped(index, 1))}>›</button>
         ${lab ? html`<a id="park-watch" href="#${lab}">${words.watchThis}</a>` : ''}

@@ -37,12 +37,12 @@ export const walked = ({ share }) => words.walked(percentOf(share));
 
 /** Whose the sliders are, and whose the marks on them. @param {Model} model */
 export const key = ({ between }) =>
-  html`<p class="park-key row muted not-in-figure"><span aria-hidden="true">○</span> ${words.sliders} <span class="park-mark" aria-hidden="true"></span> ${words.marks(between !== null)}</p>`;
+  html`<p class="park-key row muted not-in-figure not-on-paper"><span aria-hidden="true">○</span> ${words.sliders} <span class="park-mark" aria-hidden="true"></span> ${words.marks(between !== null)}</p>`;
 
 /** On the track of a slider: the gain that evolution has, or that drives in between. @param {number} value @param {number} most */
 export function mark(value, most) {
   const at = Math.min(1, Math.max(0, value / most));
-  return html`<span class="park-track" aria-hidden="true"><span class=${`park-mark ${value > most ? 'is-beyond' : ''}`} ${styled('--at', String(at))}></span></span>
+  return html`<span class="park-track not-on-paper" aria-hidden="true"><span class=${`park-mark ${value > most ? 'is-beyond' : ''}`} ${styled('--at', String(at))}></span></span>
     <span class="park-found" aria-hidden="true">${value > most ? `${words.gain(value)} →` : words.gain(value)}</span>`;
 }
 
@@ -77,7 +77,7 @@ export function comparison(model, found, onWalk) {
     /** @type {number | null} */ parked,
   ) =>
     html`<tr><th scope="row">${name}</th>${triple.map((gain, i) => html`<td class=${lab.gains[i].id}>${words.gain(gain)}</td>`)}<td>${parked === null ? '–' : words.share(parked, count)}</td></tr>`;
-  return html`<table class="park-table large-figure-only" aria-label=${`${park.sliders}: ${words.bestByHand}, ${words.evolved}`}>
+  return html`<table class="park-table ruled large-figure-only" aria-label=${`${park.sliders}: ${words.bestByHand}, ${words.evolved}`}>
     <thead><tr><td></td>${lab.gains.map(({ letter, index }) => html`<th scope="col"><i>${letter}</i><sub>${index}</sub></th>`)}<th scope="col">${words.parkedColumn}</th></tr></thead>
     <tbody>${row(words.bestByHand, mineOf(model, model.gains), best?.parked ?? null)}${row(words.evolved, found.gains, found.parked)}</tbody>
   </table>
@@ -88,7 +88,7 @@ export function comparison(model, found, onWalk) {
 function way({ between, isOwn, isFree, driven, driving, count }, onWalk) {
   const share = between?.share ?? (isOwn ? 0 : 1);
   const gains = lab.gains.map(({ name }, i) => `${name} ${words.gain(driven[i])}`);
-  return html`<p class="park-walk row not-in-figure"><span aria-hidden="true">${words.bestByHand}</span>
+  return html`<p class="park-walk row not-in-figure not-on-paper"><span aria-hidden="true">${words.bestByHand}</span>
     <input id="park-between" type="range" min="0" max="1" step="0.01" aria-label=${words.walk} aria-valuetext=${words.walkedTo(gains, driving, count)}
       .value=${live(String(share))} .disabled=${!isFree} ${styled('--from', '0%')} ${styled('--to', `${percentOf(share)}%`)}
       @input=${(/** @type {Event} */ event) => onWalk(Number(valueIn(event)))}>
