@@ -130,7 +130,10 @@ test('a try is from as many starts as there were then, whatever is set later', (
   actions.driveGains([4, 4, 4], 'hand');
   actions.driveAgain();
   assert.equal(drivenOn(store), 25);
+  // The gains, then the preset.
   actions.undo();
+  actions.undo();
+  assert.equal(store.get().experiment.starts.length, 8);
   assert.equal(drivenOn(store), 25);
   assert.match(links.linkOf(store.get(), experiment), /&spent=25/);
 });

@@ -107,7 +107,9 @@ function createReturns(basis, resume, prepare) {
       const patch = hand && { ...hand, gainErrors: noErrors };
       // Other gains alone begin nothing.
       if (patch && !store.get().computing?.next && isSameTask(now, version)) {
-        store.update({ ...patch, versions });
+        // They have been driven, and counted.
+        const work = { ...store.get().work, tried: String(version.hand?.handGains) };
+        store.update({ ...patch, versions, work });
         return settle();
       }
       beginSettled(nextOf(experiment, { preset, versions }), restart, patch);
