@@ -16,3 +16,10 @@ export const letterOf = ({ key, code }) =>
 
 /** With these keys it means something to the browser. @param {KeyboardEvent} event */
 export const isChord = ({ ctrlKey, metaKey, altKey }) => ctrlKey || metaKey || altKey;
+
+/** Whether Escape takes back what is being typed, and then nothing else. @param {KeyboardEvent} event @param {boolean} isTyping */
+export function takesBack(event, isTyping) {
+  if (event.key !== 'Escape' || event.isComposing || !isTyping) return false;
+  event.preventDefault();
+  return true;
+}

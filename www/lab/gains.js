@@ -3,6 +3,7 @@
 import { html, noChange, nothing, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { create } from '../kit/elements.js';
+import { takesBack } from '../kit/keyboard.js';
 import { keysFor, selectAll, styled } from '../kit/templates.js';
 import { watch } from '../kit/memo.js';
 import { lab as strings } from '../words/index.js';
@@ -85,11 +86,13 @@ export function createRow(gain, index, events, unit = '') {
       typing = false;
     },
     leave: (/** @type {KeyboardEvent} */ event) => {
-      if (event.key !== 'Escape') return;
+      if (!takesBack(event, typing)) return;
       typing = false;
       /** @type {HTMLInputElement} */ (event.target).value = shown(current);
     },
     change: (/** @type {Event} */ { target }) => {
+      // Firefox tells it too of what was taken back.
+      if (!typing) return;
       typing = false;
       events.onType(index, /** @type {HTMLInputElement} */ (target).value);
     },

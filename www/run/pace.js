@@ -30,3 +30,7 @@ export const pausesAt = ({ kind, value }, { generation, best }) =>
     : kind === 'generation'
       ? generation === value
       : generation % value === 0;
+
+/** What has been reached is no end: from there on evolution pauses as it usually does. @param {Pick<State, 'until' | 'computing' | 'history' | 'generation'>} state */
+export const untilAhead = ({ until, computing, history, generation }) =>
+  !computing?.next && isReached(until, history[generation]) ? { until: usualUntil, untilError: '' } : {};

@@ -5,7 +5,7 @@
 /** @import { Exercise, MakerState } from './exercise.js' */
 /** @import { Until } from './pace.js' */
 /** @import { Driven, Pins } from './pins.js' */
-/** @import { Versions } from './undo.js' */
+/** @import { Reached, Versions } from './undo.js' */
 /** @import { Student } from './variant.js' */
 
 /** @typedef {'evolved' | 'hand' | 'paper-ep' | 'paper-arbitrary'} Driver Whose gains drive the robot in ink. */
@@ -13,7 +13,7 @@
 /** @typedef {'begin' | 'moved' | 'limits' | 'seed' | 'setting' | 'undone' | 'redone' | 'given' | 'reset'} Restart Why evolution is at generation 0. */
 /** @typedef {Experiment['disturbance']} Disturbance */
 /** @typedef {{ start: Posture | null, disturbance: Disturbance | null }} Trial What a drive meets that evolution did not. */
-/** What an experiment that begins makes of the state, to which what is changed meanwhile is added. @typedef {Pick<State, 'experiment' | 'preset' | 'versions' | 'dragging'>} Next */
+/** What an experiment that begins makes of the state, to which what is changed meanwhile is added; `reached`: where one goes back to it. @typedef {Pick<State, 'experiment' | 'preset' | 'versions' | 'dragging'> & { reached?: Reached }} Next */
 /** What a worker computes: an experiment that begins, the next generation, or a recorded one. Since when, in milliseconds, and how much of it is done, if that is known. `next`: where a setting was changed; what a link opens is not changed before it is there, and a change takes its place. `generation`: the recorded one. @typedef {{ what: 'begin' | 'generation' | 'recorded', since: number, share: () => number | null, next?: Next, generation?: number }} Computing */
 /** What was done: gains that were tried by hand, one after the other, and drives of evolutions that were given up, or made before. `since`: when the link was opened, in milliseconds; `begun`: when the work began, which may be before; `opened`: the generation that the link shows; `counted`: up to where evolution counts although it may not have come so far again. @typedef {{ tries: number, tried: string, spent: number, since: number, begun: number, opened: number, counted: number }} Work */
 /** @typedef {{ time: number, held: number, playing: boolean }} RobotClock Seconds of the model; seconds waited at the end of a loop. */

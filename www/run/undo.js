@@ -3,7 +3,7 @@
 import { caughtUp, evolvedOf } from './state.js';
 
 /** @typedef {Pick<State, 'driver' | 'handGains' | 'found'>} Hand */
-/** How far a run had come: its last generation, the one that was shown, and how many times it had driven. @typedef {{ newest: number, generation: number, evolved: number }} Reached */
+/** How far a run had come: its last generation, the one that was shown, up to which it had driven, and how many times, and as what it had begun. @typedef {{ newest: number, generation: number, counted: number, evolved: number, restart: State['restart'] }} Reached */
 /** `hand`: where the step is one of gains. @typedef {Pick<State, 'experiment' | 'preset'> & { reached: Reached, hand?: Hand }} Version */
 /** @typedef {{ past: readonly Version[], future: readonly Version[], held?: readonly Version[] }} Versions The nearest is the last of the past, the first of the future; `held`: the future before the last change, for a drag that comes back. */
 
@@ -14,12 +14,14 @@ export const noVersions = { past: [], future: [] };
 
 /** @param {State} state @returns {Reached} */
 function reachedBy(state) {
-  const { computing, history, work, catchingUp } = state;
+  const { computing, history, work, catchingUp, restart } = state;
   // What was asked for has not begun.
-  if (computing?.next) return { newest: 0, generation: 0, evolved: 0 };
+  if (computing?.next)
+    return computing.next.reached ?? { newest: 0, generation: 0, counted: 0, evolved: 0, restart };
   const newest = catchingUp?.newest ?? history.length - 1;
   const { generation } = caughtUp(state);
-  return { newest, generation, evolved: evolvedOf({ history, work }) };
+  const counted = Math.max(history.length - 1, work.counted);
+  return { newest, generation, counted, evolved: evolvedOf({ history, work }), restart };
 }
 
 /** @param {State} state @returns {Version} */

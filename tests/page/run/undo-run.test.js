@@ -1,5 +1,6 @@
 // What is taken back comes back with its run: nothing that was evolved or set by hand is lost without a way back.
 import assert from 'node:assert/strict';
+import { Pending } from '../../../www/core/pending.js';
 import { drivesOf } from '../../../www/run/state.js';
 import { test } from '../harness/once.js';
 import { pageOf } from './page-of.js';
@@ -63,6 +64,64 @@ test('undo and redo bring back experiments with their runs, whose drives count o
   assert.deepEqual(told(run), second);
   run.actions.undo();
   assert.deepEqual(told(run), { ...first, drives });
+});
+
+test('what was driven stays counted where undo is paused on its way, and is undone again', () => {
+  const { store, actions } = pageOf('lab&population=200&generation=60');
+  const drives = () => drivesOf({ ...store.get(), driver: 'hand' });
+  const before = drives();
+  const goal = actions.postureOf('goal');
+  actions.movePosture('goal', { ...goal, x: 1 }, false);
+  actions.undo();
+  actions.pauseEvolution();
+  const paused = store.get().history.length - 1;
+  assert.equal(drives() - before, 0);
+  actions.movePosture('goal', { ...goal, x: 1 }, false);
+  actions.undo();
+  actions.pauseEvolution();
+  assert.ok(paused <= 60 && drives() >= before, `${drives()} of ${before}`);
+});
+
+test('a run that is passed by while another is on its way keeps what it had', async () => {
+  const run = pageOf('lab&generation=5');
+  moveGoal(run, 1);
+  for (let i = 0; i < 2; i += 1) run.actions.forward();
+  const second = told(run);
+  moveGoal(run, 1);
+  const { begin } = run.engine;
+  /** @type {() => void} */
+  let arrive = () => {};
+  run.engine.begin = () => {
+    throw new Pending(
+      new Promise((resolve) => {
+        arrive = () => resolve(undefined);
+      }),
+    );
+  };
+  for (let i = 0; i < 2; i += 1) {
+    run.actions.undo();
+    assert.equal(run.store.get().computing?.what, 'begin');
+  }
+  run.engine.begin = begin;
+  arrive();
+  await run.actions.whenIdle();
+  assert.equal(told(run).generation, 5);
+  run.actions.redo();
+  const { generation, best } = told(run);
+  assert.deepEqual([generation, best], [2, second.best]);
+});
+
+test('of a drag that comes back nothing is said, and what had been reached is no end', () => {
+  const run = pageOf('lab');
+  const { restart } = run.store.get();
+  dragAndBack(run);
+  assert.equal(run.store.get().restart, restart);
+  for (let i = 0; i < 12; i += 1) run.actions.forward();
+  run.actions.setUntil('cost', '1e6');
+  run.store.update({ evolving: true });
+  dragAndBack(run);
+  told(run);
+  assert.deepEqual([run.store.get().evolving, run.store.get().until.kind], [true, 'every']);
 });
 
 test('an exercise has its prepared generation whichever way leads back to what was given', () => {

@@ -6,6 +6,7 @@
 import { html, noChange, nothing, render } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { byId } from '../../kit/elements.js';
+import { takesBack } from '../../kit/keyboard.js';
 import { watch } from '../../kit/memo.js';
 import { createSwatch } from '../../kit/swatch.js';
 import { tidyText } from '../../kit/text.js';
@@ -76,8 +77,9 @@ export function createComparison(root, { engine, store, actions, paper }) {
 
 /** @param {string} name @param {PinEvents['onTyping']} onTyping @returns {(event: KeyboardEvent) => void} */
 const takingBack = (name, onTyping) => (event) => {
-  if (event.key !== 'Escape') return;
-  /** @type {HTMLInputElement} */ (event.target).value = name;
+  const field = /** @type {HTMLInputElement} */ (event.target);
+  if (!takesBack(event, field.value !== name)) return;
+  field.value = name;
   onTyping(null);
 };
 

@@ -114,10 +114,9 @@ function createEvents(store, actions, requests, choose) {
     onRun: () => (luck().progress === null ? requests.run() : requests.cancel()),
     onRank: (rank) => choose(luck().result?.summary.ranking[rank - 1] ?? -1),
     onOpen: (seed, generation) => {
-      // First, for the way back leads to the run that was there.
-      actions.openPage('lab');
       actions.showSeed(seed, generation);
       actions.chooseDriver('evolved');
+      actions.openPage('lab');
     },
   };
 }

@@ -81,7 +81,7 @@ function seedInQuestion({ soFar, result }, index, fresh, { onRank, onOpen }) {
   const readout = isThere ? words.readout(result, index, rank) : '';
   const seed = isThere ? result.first + index : 1;
   return html`
-    <div id="luck-seed" class=${`luck-seed not-in-figure ${soFar ? 'later' : ''}`} .hidden=${!result}>
+    <div id="luck-seed" class=${`luck-seed not-in-figure${soFar ? ' later' : ''}`} .hidden=${!result}>
       <label class="bar"><span class="muted">${texts.luckLuckiest}</span>
         <input id="luck-rank" type="range" min="1" step="1" aria-label=${texts.luckRank} aria-valuetext=${readout}
           .max=${String(result?.runs.length ?? 1)} .value=${live(String(rank))}

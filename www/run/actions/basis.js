@@ -103,7 +103,7 @@ function createBeginning({ engine, store }, { attempt, forget, whenIdle }) {
   };
 
   /** Throws when the core refuses the experiment. @param {Next} next @param {Restart} restart @param {Partial<State>} [patch] */
-  const tryToBegin = (next, restart, patch) => {
+  const tryToBegin = ({ reached: _, ...next }, restart, patch) => {
     const { statistics, population } = engine.begin(next.experiment);
     forget();
     const before = store.get();
@@ -113,8 +113,8 @@ function createBeginning({ engine, store }, { attempt, forget, whenIdle }) {
       population,
       restart,
       catchingUp: null,
-      // Nobody has pressed Run for it.
-      ...(before.catchingUp && { evolving: false }),
+      // Nobody may have pressed Run for it.
+      ...(before.catchingUp && { evolving: before.evolving && before.catchingUp.goesOn === true }),
       message: '',
       settings: { ...before.settings, error: null },
       work: afterWork(before, next.experiment),

@@ -6,7 +6,7 @@ import { lab as words } from '../../words/index.js';
 import { atEnd, fromStart } from '../clock.js';
 import { canStop, isFree } from '../guard.js';
 import { asked } from '../state.js';
-import { isReached, lastGeneration, paces, pausesAt, playsPhases, usualUntil } from '../pace.js';
+import { lastGeneration, paces, pausesAt, playsPhases, untilAhead, usualUntil } from '../pace.js';
 
 /** Milliseconds of a frame in which a run catches up. */
 const atOnce = 30;
@@ -193,7 +193,3 @@ function createSeeds({ engine, store, attempt, begin, onceBegun, shown }, catchU
 
 /** From where evolution goes on. @param {State} state */
 const generationNow = ({ computing, generation }) => (computing?.next ? 0 : generation);
-
-/** What has been reached is no end: from there on evolution pauses as it usually does. @param {State} state */
-const untilAhead = ({ until, computing, history, generation }) =>
-  !computing?.next && isReached(until, history[generation]) ? { until: usualUntil, untilError: '' } : {};

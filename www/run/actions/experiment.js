@@ -9,6 +9,7 @@ import { isLost, messageOf } from '../../words/errors.js';
 import { settings as words } from '../../words/index.js';
 import { wayOf } from '../exercise.js';
 import { noErrors } from '../first.js';
+import { untilAhead } from '../pace.js';
 import { valueAt, withValue } from '../paths.js';
 import { unreachable } from '../prepared.js';
 import { asked, endsOf, evolvedOf, noTrial } from '../state.js';
@@ -40,13 +41,13 @@ const createSettled =
 /** A run that was there before is evolved again; what it drove counts once. @param {Basis} basis @param {CatchUp} catchUp */
 const createResume =
   ({ store }, catchUp) =>
-  (/** @type {Reached} */ { newest, generation, evolved }) => {
+  (/** @type {Omit<Reached, 'restart'>} */ { newest, generation, counted, evolved }) => {
     const { evolving, catchingUp, work } = store.get();
+    store.update({ work: { ...work, spent: Math.max(0, work.spent - evolved), counted } });
     if (newest === 0) return;
     const goesOn = evolving && !catchingUp;
-    store.update({ work: { ...work, spent: Math.max(0, work.spent - evolved), counted: newest } });
     catchUp(newest, generation, goesOn);
-    if (goesOn && !store.get().catchingUp) store.update({ evolving: true });
+    if (goesOn && !store.get().catchingUp) store.update({ evolving: true, ...untilAhead(store.get()) });
   };
 
 /** What an exercise has of its own. @param {Basis} basis @param {ReturnType<typeof createResume>} resume */
@@ -63,7 +64,7 @@ function createOwn({ engine, store }, resume) {
     if (generation > 0 || catchingUp || dragging || newest === 0 || wayOf(exercise, 'run') === 'free') return;
     if (JSON.stringify(ownOf(state)) !== JSON.stringify(experiment)) return;
     const evolved = evolvedOf({ history, work: { ...work, counted: newest } });
-    resume({ newest, generation: newest, evolved });
+    resume({ newest, generation: newest, counted: newest, evolved });
   };
 
   /** Who drives, where that is the exercise's to say, and somebody else does. @returns {Partial<State>} */
@@ -92,7 +93,10 @@ function createReturns(basis, resume, prepare) {
         beginSettled({ ...next, dragging: false, versions: afterDrag(asked(before)) }, restart);
       else settle();
       onceBegun(() => {
-        if (back) resume(back.reached);
+        if (back) {
+          store.update({ restart: back.reached.restart });
+          resume(back.reached);
+        }
         prepare();
       });
     },
@@ -112,7 +116,7 @@ function createReturns(basis, resume, prepare) {
         store.update({ ...patch, versions, work });
         return settle();
       }
-      beginSettled(nextOf(experiment, { preset, versions }), restart, patch);
+      beginSettled({ ...nextOf(experiment, { preset, versions }), reached }, restart, patch);
       onceBegun(() => {
         resume(reached);
         prepare();

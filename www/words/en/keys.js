@@ -29,7 +29,7 @@ export const focused = [
   ['Shift + arrows', 'turn start or goal by 5°, or move the cursor of a map by larger steps'],
   ['Alt + arrows', 'move or turn start or goal by small steps'],
   ['Enter', 'press a button; on a map: drive what is under the cursor'],
-  ['Esc', 'close what is open, take back what is being dragged or typed'],
+  ['Esc', 'close what is open, take back start or goal that is being dragged'],
   [
     'Ctrl + Z, Ctrl + Shift + Z',
     'undo and redo a change of the experiment, or gains that took the place of yours',

@@ -139,7 +139,7 @@ function othersText(summary) {
   const others = disturbed
     ? `Of ${startsText(starts)}, ${allInside} ${allInside === 1 ? 'stays' : 'stay'} within reach of ${all}${allEdge > 0 ? atEdge : ''}; even undisturbed, ${most}`
     : `From ${startsText(starts)}, ${most}`;
-  return `${others}: the theorem does not say how soon, and limits and samples are not in these sets.`;
+  return `${others}: the theorem does not say how soon; limits and samples are left out.`;
 }
 
 /** Why there are so few others. @param {Summary} summary */

@@ -134,7 +134,7 @@ function othersText(summary) {
   const others = disturbed
     ? `${startsText(starts)} 중 ${setsText(pushed)}의 최대 범위 안에 머무는 것은 ${allInside}개${atEdge}입니다. 외란이 없어도 ${most}`
     : `${startsText(starts)}에서 ${most}`;
-  return `${others} 정리는 얼마나 빨리 줄어드는지 말하지 않으며, 이 집합에는 제한과 샘플링이 들어 있지 않습니다.`;
+  return `${others} 정리는 얼마나 빨리 줄어드는지 말하지 않으며, 제한과 샘플링은 빠져 있습니다.`;
 }
 
 /** Why there are so few others. @param {Summary} summary */

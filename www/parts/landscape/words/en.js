@@ -70,6 +70,6 @@ const crosses = { ep: 'Crosses: one σ.', 'one-plus-one-es': 'Cross: one σ.' };
 
 /** @param {import('../../../core/methods.js').Method} method @param {boolean} [isStill] No σ is above 0. */
 export const methodSketch = (method, isStill = false) =>
-  ['Thick line: the best so far. Thin lines: equal J.', isStill ? '' : crosses[method], sketches[method]]
+  ['Line: the best so far. Contours: equal J.', isStill ? '' : crosses[method], sketches[method]]
     .filter(Boolean)
     .join(' ');

@@ -68,6 +68,6 @@ const crosses = { ep: '십자: 1σ.', 'one-plus-one-es': '십자: 1σ.' };
 
 /** @param {import('../../../core/methods.js').Method} method @param {boolean} [isStill] No σ is above 0. */
 export const methodSketch = (method, isStill = false) =>
-  ['굵은 선: 지금까지의 최우수. 가는 선: J가 같은 곳.', isStill ? '' : crosses[method], sketches[method]]
+  ['선: 지금까지의 최우수. 등고선: J가 같은 곳.', isStill ? '' : crosses[method], sketches[method]]
     .filter(Boolean)
     .join(' ');
