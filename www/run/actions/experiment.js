@@ -43,7 +43,7 @@ const createResume =
   ({ store }, catchUp) =>
   (/** @type {Omit<Reached, 'restart'>} */ { newest, generation, counted, evolved }) => {
     const { evolving, catchingUp, work } = store.get();
-    store.update({ work: { ...work, spent: Math.max(0, work.spent - evolved), counted } });
+    store.update({ work: { ...work, spent: work.spent - evolved, counted } });
     if (newest === 0) return;
     const goesOn = evolving && !catchingUp;
     catchUp(newest, generation, goesOn);
