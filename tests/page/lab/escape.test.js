@@ -1,11 +1,10 @@
 // What is typed in a field is taken back with Escape.
 import assert from 'node:assert/strict';
-import { Key, pageTest } from '../harness/browsers.js';
+import { Key, engineTest, pageTest } from '../harness/browsers.js';
 
 pageTest('Escape takes back what was typed of a gain, and of the name of a pin', async (page) => {
-  await page.open(
-    `#curves&v=1&drives=hand&gains=3,1,5&view=compare&pin1=${encodeURIComponent('first~5,1,5')}`,
-  );
+  // As the page itself writes it.
+  await page.open('#curves&v=1&drives=hand&gains=3,1,5&view=compare&pin1=first~5,1,5');
   await page.until('the pin has a name', () => document.querySelector('#pin-name-1'));
   const told = () =>
     page.evaluate(() => {
@@ -20,4 +19,23 @@ pageTest('Escape takes back what was typed of a gain, and of the name of a pin',
     assert.notEqual(await page.evaluate(() => document.activeElement?.id), field);
     assert.deepEqual(await told(), before, field);
   }
+});
+
+engineTest('Escape in the field of a gain leaves who drives, also while evolution goes on', async (page) => {
+  await page.open('#lab&v=1&seed=3');
+  await page.click('#run');
+  await page.focus('#gain-ky');
+  await page.press('9');
+  const [, from] = /** @type {RegExpExecArray} */ (/(\d+)/.exec(await page.text('#generation')));
+  await page.until(
+    'other gains drive by now',
+    (before) => Number(document.getElementById('generation')?.textContent) > before + 3,
+    Number(from),
+  );
+  await page.press(Key.ESCAPE, Key.TAB);
+  assert.notEqual(await page.evaluate(() => document.activeElement?.id), 'gain-ky');
+  assert.equal(
+    await page.evaluate(() => document.querySelector('#drives input:checked')?.id),
+    'drives-evolved',
+  );
 });
