@@ -3,13 +3,18 @@ import { Key, pageTest } from '../harness/browsers.js';
 import { swarm } from '../../../www/lesson/words/en.js';
 import { contest, evolvedBest, yard } from './duel-task.js';
 
-pageTest('evolution’s robots drive where they were bred, whatever the limits are now', async (page) => {
+/** One drive by hand, locked in, and a prediction. @param {import('../harness/browsers.js').Page} page */
+async function predict(page) {
   await page.open('#lesson&step=9');
   await page.until('the robots', () => document.getElementById('swarm-parked'));
   await page.focus('#slider-kx');
   await page.press(Key.ARROW_RIGHT);
   await page.click('#duel-lock');
   await page.click('#quiz-ahead .choice:first-child');
+}
+
+pageTest('evolution’s robots drive where they were bred, whatever the limits are now', async (page) => {
+  await predict(page);
   const { gains } = evolvedBest(1, 20);
   const hasParked = (/** @type {string} */ name, /** @type {string} */ parked) =>
     document.querySelector('.swarm-name')?.textContent === name &&
@@ -29,12 +34,7 @@ pageTest('evolution’s robots drive where they were bred, whatever the limits a
 pageTest(
   'who drives on while the duel is computed again after a reload sees what is driven',
   async (page) => {
-    await page.open('#lesson&step=9');
-    await page.until('the robots', () => document.getElementById('swarm-parked'));
-    await page.focus('#slider-kx');
-    await page.press(Key.ARROW_RIGHT);
-    await page.click('#duel-lock');
-    await page.click('#quiz-ahead .choice:first-child');
+    await predict(page);
     await page.until('the table', () => document.getElementById('duel-table')?.checkVisibility());
     await page.until('the answer', () => document.querySelector('#quiz-ahead .quiz-why strong'));
     await page.driver.navigate().refresh();
