@@ -63,6 +63,27 @@ pageTest('in low windows no name of the legend lies on start or goal, in any ste
   assert.ok(seen > 30, `${seen} have a legend, a start and a goal`);
 });
 
+pageTest(
+  'on a small laptop the dotted robot beside the lesson has its name where there is room',
+  async (page) => {
+    if (page.engine !== 'chromium') return;
+    try {
+      await page.open('#lab&v=1');
+      for (const name of /** @type {const} */ (['landscape', 'task', 'lecturers'])) {
+        await follow(page, linkOfStep(stepNames.indexOf(name) + 1));
+        await surround(page, [1024, 768]);
+        const text = await page.until(`${name} has it`, () => {
+          const dotted = document.querySelector('#legend .dashed');
+          return dotted?.checkVisibility() && dotted.textContent;
+        });
+        assert.match(text, /^paper’s/);
+      }
+    } finally {
+      await endSurrounding(page);
+    }
+  },
+);
+
 pageTest('on a telephone the names of two pins leave start and goal alone', async (page) => {
   if (page.engine !== 'chromium') return;
   try {

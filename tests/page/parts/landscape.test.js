@@ -110,6 +110,7 @@ async function hover(page, [px, py]) {
 engineTest('the landscape has the colours of the costs that the core computes', async (page) => {
   await openLandscape(page);
   await assertPicture(page, velocityLimits, across, up, [0, paperKy, 0]);
+  assert.match(await page.text('#landscape-method'), /Contours: equal J\./);
   assert.deepEqual(await page.problems(), []);
   assert.deepEqual(await page.obstacles(), []);
 });
