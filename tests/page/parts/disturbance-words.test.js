@@ -91,7 +91,7 @@ test('of the default slip nobody stays inside all three, many stand on an edge, 
   );
   assert.match(
     en.summaryText(summary),
-    /^In the last 2 s this drive comes within 1 % of the edge of sets \(6\) and \(8\)\. Of 32 other starts, 0 stay within reach of all three, 11 within 1 % of an edge; even/,
+    /^In the last 2 s this drive comes within 1 % of the edge of sets \(6\) and \(8\)\. Of 32 other starts, none stays within reach of all three, 11 within 1 % of an edge; even/,
   );
   assert.match(en.captionText(summary), /≈: edge ± 1 %$/);
   assert.match(
@@ -104,7 +104,7 @@ test('how many stay and how many stand on an edge is said of one, of none and of
   const summary = summaryOf({ kind: 'slip', linear: 0.1, angular: 0.2 }, [3, 1, 5]);
   const said = (/** @type {Partial<Summary>} */ counts) => en.summaryText({ ...summary, ...counts });
   for (const [allInside, allEdge, text] of /** @type {const} */ ([
-    [0, 0, '0 stay within reach of all three; even'],
+    [0, 0, 'none stays within reach of all three; even'],
     [1, 1, '1 stays within reach of all three, 1 within 1 % of an edge; even'],
     [2, 30, '2 stay within reach of all three, 30 within 1 % of an edge; even'],
     [32, 0, '32 stay within reach of all three; even'],

@@ -14,6 +14,7 @@ export const drive = {
     { kind: 'view', create: createTallyLine },
     quiz('bolder', {
       shows: 'lab&drives=hand&gains=10,10,10&pin1=5,5,5~5,5,5',
+      sight: 'robot',
       watch: true,
       order: [1, 2, 0],
       // The drive that the prediction is about, beside a gentler one.

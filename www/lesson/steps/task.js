@@ -108,8 +108,8 @@ export const task = {
     }),
     { kind: 'text', name: 'whole', after: 'turning' },
     tries([
-      ['beside', 'robustness&generation=100&from=2,0,0deg'],
-      ['withKy', 'robustness&generation=100&drives=hand&gains=3.2,10,4.3&from=2,0,0deg'],
+      ['beside', 'robustness&generation=100&from=2,0,0deg', 'robot'],
+      ['withKy', 'robustness&generation=100&drives=hand&gains=3.2,10,4.3&from=2,0,0deg', 'robot'],
       ['training', 'training&generation=100'],
       ['cheap', 'training&generation=100&seed=3'],
       ['both', 'training&generation=100&weights.velocity=0.1,0.1'],

@@ -10,7 +10,7 @@ export const curveChoices = {
   cost: 'J',
   sigmas: { text: 'σ', hint: 'Mean step size of each gain' },
 };
-export const sigmaTitle = 'Step sizes';
+export const sigmaTitle = 'Mean step sizes';
 
 /** @param {Statistics} first @param {Statistics} shown @param {readonly { name: string }[]} gains */
 export const sigmaLabel = (first, shown, gains) =>

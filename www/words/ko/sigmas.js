@@ -10,7 +10,7 @@ export const curveChoices = {
   cost: 'J',
   sigmas: { text: 'σ', hint: '이득별 평균 변이 폭' },
 };
-export const sigmaTitle = '변이 폭';
+export const sigmaTitle = '평균 변이 폭';
 
 /** @param {Statistics} first @param {Statistics} shown @param {readonly { name: string }[]} gains */
 export const sigmaLabel = (first, shown, gains) =>

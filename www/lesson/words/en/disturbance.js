@@ -47,7 +47,7 @@ export const disturbance = {
     random: {
       question:
         'Now *random pushes*: 100 times a second a new one, anything between −0.1 and 0.1 m/s. How far from the goal does the robot with the paper’s EP gains stay in the end?',
-      choices: ['Farther than with the slip', 'As far', 'Nearer than with the slip'],
+      choices: ['Farther than with the slip', 'Just as far', 'Nearer than with the slip'],
       /** @param {{ steady: number, random: number }} outcome */
       why: ({ steady, random }) =>
         `Within ${fixed(random, 3)} m in the last two seconds; with the slip it was ${fixed(steady, 3)} m. Pushes to and fro largely cancel each other, a slip never lets go. It is the steady disturbance that is the hard one.`,

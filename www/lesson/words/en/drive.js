@@ -23,7 +23,7 @@ The paper that this page follows compares *arbitrary* gains, picked without evol
         : 'You have not moved a slider here yet. A drag of one counts as one drive.',
   quizzes: {
     bolder: {
-      question: 'All three numbers are 10 instead of 5. What changes?',
+      question: 'Suppose all three numbers are 5, and then all three 10. What changes?',
       choices: [
         'The robot arrives earlier, and J is lower',
         'It arrives earlier, but J is higher',

@@ -19,7 +19,7 @@ export const limits = {
   texts: {
     asked: `The law asks, the wheels answer. In the drive of the paper’s EP gains the law asks for up to {=askedV} m/s and {=askedW} rad/s. The paper’s robot can do {=v} m/s and {=w} rad/s. In the picture (logarithmic, except near 0) the thin line is what was asked, the thick one what was done: what is beyond the limit, the dashed line, is cut off. Engineers call that *saturation*. The robot drives at full speed for most of the way.
 
-Would it be better without limits? The proof of the last step assumes none.`,
+Would it be better without limits? The proof of step 4 assumes none.`,
     theory: `Between the proof and a real robot there is a gap: the proof wants the law to act *at every instant*, but a computer decides once every hundredth of a second, at each *sample*, and holds its command until the next. A huge command that is held turns the robot much too far; a faster computer helps little, because where sin {te} is 0 the command has no bound. So {V} need not fall from sample to sample: without limits these gains let it rise at {=rises} of {=samples} samples. (Such a drive is *sensitive*: the last digits of the arithmetic decide exactly how many.)
 
 Do velocity limits close that gap? From the paper’s own start it looks so: with them {V} falls at every sample.`,
@@ -52,7 +52,7 @@ Do velocity limits close that gap? From the paper’s own start it looks so: wit
     },
   },
   tries: {
-    raised: 'The shuffle of step 3 with the limits on: {V} rises, and yet the robot comes nearer',
+    raised: 'The to-and-fro of step 3 with the limits on: {V} rises, and yet the robot comes nearer',
     figure4: 'Figure 4: EP’s gains and the arbitrary ones, velocity limits',
     figure5: 'Figure 5: the same against time',
     figure6: 'Figure 6: EP’s gains for acceleration limits',

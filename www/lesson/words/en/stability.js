@@ -37,7 +37,7 @@ export const stability = {
   quizzes: {
     negative: {
       question:
-        '{ky} is set to −0.5, the other two stay above zero. For two seconds the law decides 2000 times a second (elsewhere 100 times), nearly at every instant. What becomes of {V}?',
+        '{ky} is set to −0.5, the other two stay above zero. The drive lasts two seconds, in which the law decides 2000 times a second (elsewhere 100 times), nearly at every instant. What becomes of {V}?',
       choices: [
         'It still falls to zero, only later',
         'It falls, and comes to rest above zero',

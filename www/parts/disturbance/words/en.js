@@ -137,7 +137,7 @@ function othersText(summary) {
   const all = pushed.length === 3 ? 'all three' : setsText(pushed);
   const atEdge = `, ${allEdge} within ${edgePercent} % of an edge`;
   const others = disturbed
-    ? `Of ${startsText(starts)}, ${allInside} ${allInside === 1 ? 'stays' : 'stay'} within reach of ${all}${allEdge > 0 ? atEdge : ''}; even undisturbed, ${most}`
+    ? `Of ${startsText(starts)}, ${allInside || 'none'} ${allInside > 1 ? 'stay' : 'stays'} within reach of ${all}${allEdge > 0 ? atEdge : ''}; even undisturbed, ${most}`
     : `From ${startsText(starts)}, ${most}`;
   return `${others}: the theorem does not say how soon; limits and samples are left out.`;
 }

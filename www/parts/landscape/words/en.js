@@ -63,13 +63,17 @@ const sketches = {
     'The other lines are the steps that were tried: three short ones for the slope, or one down it.',
 };
 /** Marks that are not in the slice. @param {string} name Of the gain that is on no axis. */
-export const paler = (name) => `Paler: another ${name}.`;
+export const paler = (name) => `Paler: other ${name}.`;
 
 /** @type {Partial<typeof sketches>} */
-const crosses = { ep: 'Crosses: one σ.', 'one-plus-one-es': 'Cross: one σ.' };
+const crosses = { ep: 'Crosses: robots ±σ.', 'one-plus-one-es': 'Cross: robot ±σ.' };
 
 /** @param {import('../../../core/methods.js').Method} method @param {boolean} [isStill] No σ is above 0. */
 export const methodSketch = (method, isStill = false) =>
-  ['Line: the best so far. Contours: equal J.', isStill ? '' : crosses[method], sketches[method]]
+  [
+    (!isStill && crosses[method]) || 'Dots: robots.',
+    'Line: best so far. Contours: equal J.',
+    sketches[method],
+  ]
     .filter(Boolean)
     .join(' ');

@@ -64,10 +64,10 @@ const sketches = {
 export const paler = (name) => `흐린 표시: ${name} 값이 다름.`;
 
 /** @type {Partial<typeof sketches>} */
-const crosses = { ep: '십자: 1σ.', 'one-plus-one-es': '십자: 1σ.' };
+const crosses = { ep: '십자: 로봇 ±σ.', 'one-plus-one-es': '십자: 로봇 ±σ.' };
 
 /** @param {import('../../../core/methods.js').Method} method @param {boolean} [isStill] No σ is above 0. */
 export const methodSketch = (method, isStill = false) =>
-  ['선: 지금까지의 최우수. 등고선: J가 같은 곳.', isStill ? '' : crosses[method], sketches[method]]
+  [(!isStill && crosses[method]) || '점: 로봇.', '선: 지금까지의 최우수. 등고선: 같은 J.', sketches[method]]
     .filter(Boolean)
     .join(' ');

@@ -78,7 +78,7 @@ export function comparison(model, found, onWalk) {
   ) =>
     html`<tr><th scope="row">${name}</th>${triple.map((gain, i) => html`<td class=${lab.gains[i].id}>${words.gain(gain)}</td>`)}<td>${parked === null ? '–' : words.share(parked, count)}</td></tr>`;
   return html`<table class="park-table ruled large-figure-only" aria-label=${`${park.sliders}: ${words.bestByHand}, ${words.evolved}`}>
-    <thead><tr><td></td>${lab.gains.map(({ letter, index }) => html`<th scope="col"><i>${letter}</i><sub>${index}</sub></th>`)}<th scope="col">${words.parkedColumn}</th></tr></thead>
+    <thead><tr><td></td>${lab.gains.map(({ id, letter, index }) => html`<th scope="col"><span translate="no" class="symbol ${id}" lang="en">${letter}<sub>${index}</sub></span></th>`)}<th scope="col">${words.parkedColumn}</th></tr></thead>
     <tbody>${row(words.bestByHand, mineOf(model, model.gains), best?.parked ?? null)}${row(words.evolved, found.gains, found.parked)}</tbody>
   </table>
   ${way(model, onWalk)}`;
