@@ -63,7 +63,8 @@ test('what a link says, every part and every step stand in the documents', async
   );
   const [listed] = embedding.match(/Parts are [^;]*/) ?? [''];
   for (const name of pageNames) {
-    assert.ok(readme.includes(`- **${named[name].name}**`), `README.md does not say what ${name} is`);
+    const line = `- **${named[name].name}**`;
+    assert.ok(readme.includes(line), `README.md has no line “${line}” that says what ${name} is`);
     assert.ok(listed.includes(`\`${name}\``), `docs/embedding.md does not list ${name}`);
   }
   const [steps] = embedding.match(/Steps have names: [^.]*/) ?? [''];

@@ -2,10 +2,10 @@
 import assert from 'node:assert/strict';
 import { Key, pageTest } from '../harness/browsers.js';
 import { hears } from '../harness/heard.js';
-import { test } from '../harness/once.js';
 import { serve } from '../harness/server.js';
 import { parts } from '../../../www/parts/parts.js';
 import { link, openContest, runContest } from './contest-page.js';
+import { samples } from './samples.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
@@ -80,18 +80,9 @@ pageTest('the pictures of training say from where a robot drives, and whether it
 });
 
 /** What a part says in words of what drives. @type {[link: string, id: string][]} */
-const readouts = [
-  ['landscape', 'landscape-readout'],
-  ['robustness', 'robustness-readout'],
-  ['curves&view=stability', 'stability-note'],
-  ['disturbance', 'remains-text'],
-];
-/** They say in words of their own what becomes of a drive, and have tests of their own. */
-const others = ['park', 'generation', 'training', 'luck'];
-
-test('of every part it is known where it says what drives', () => {
-  const told = readouts.map(([link]) => link.split('&')[0]);
-  assert.deepEqual([...told, ...others].sort(), parts.map(({ name }) => name).sort());
+const readouts = parts.flatMap(({ name }) => {
+  const { readout } = samples[name];
+  return readout ? [[readout[0] ? `${name}&${readout[0]}` : name, readout[1]]] : [];
 });
 
 pageTest(

@@ -4,56 +4,8 @@ import { links } from '../../../www/lesson/links.js';
 import { pageNames, places } from '../../../www/parts/parts.js';
 import { experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
+import { samples } from '../parts/samples.js';
 import { pageOf } from './page-of.js';
-
-const computed = 'computed for what is on screen, and again for what comes';
-const found = 'what was found here, which says of what';
-const underWay = 'work that goes on';
-const asked = 'what is asked for elsewhere, of the part that a link opens';
-const ofParked = 'what goes with the sliders of Park, which stay';
-
-/** What no link carries, and stays all the same. @type {Record<string, Record<string, string>>} */
-const lasting = {
-  curves: {},
-  disturbance: { measured: computed, message: computed },
-  generation: {},
-  lab: {},
-  landscape: { result: computed, message: computed },
-  luck: {
-    contest: found,
-    contestRuns: underWay,
-    wanted: asked,
-    seedsWanted: asked,
-    log: 'how what was found is drawn',
-    progress: underWay,
-    soFar: underWay,
-    result: found,
-    chosen: 'one of what was found',
-    pointed: 'under the pointer',
-  },
-  park: {
-    gains: ofParked,
-    best: ofParked,
-    bred: ofParked,
-    evolving: ofParked,
-    between: ofParked,
-    looked: ofParked,
-    seed: ofParked,
-    ends: ofParked,
-    endsBefore: ofParked,
-  },
-  robustness: { survey: computed, rival: computed, message: computed },
-  training: {
-    progress: underWay,
-    message: computed,
-    evolved: found,
-    spread: found,
-    given: computed,
-    begun: underWay,
-    wanted: asked,
-    byHand: 'goes with what was found',
-  },
-};
 
 test('what a part keeps is in the link, passes, or is named here with its reason', () => {
   const { opened } = links.openLink('lab', pageOf('lab').engine);
@@ -63,9 +15,12 @@ test('what a part keeps is in the link, passes, or is named here with its reason
       slice.opened({ slices: { [slice.name]: before } }, opened.parts[slice.name])
     );
     const stays = Object.keys(after).filter((field) => after[field] === before[field]);
-    assert.deepEqual(stays.sort(), Object.keys(lasting[slice.name]).sort(), slice.name);
+    assert.deepEqual(
+      stays.sort(),
+      Object.keys(samples[slice.name].lasting ?? {}).sort(),
+      `${slice.name}: what stays is in \`lasting\` of tests/page/parts/samples/${slice.name}.js, with its reason`,
+    );
   }
-  assert.deepEqual(Object.keys(lasting).sort(), places.slices.map(({ name }) => name).sort());
 });
 
 const ofWindow = 'of the window';

@@ -82,7 +82,8 @@ for (const { name, setUp, pictures } of shown)
         );
         assert.deepEqual(inSvg.outside, []);
         assert.ok(!inSvg.names.includes('script'));
-        assert.ok(inSvg.names.filter((one) => one === 'path').length >= lines, `${key}: shapes`);
+        const shapes = inSvg.names.filter((one) => one === 'path').length;
+        assert.ok(shapes >= lines, `${key}: ${shapes} shapes, not ${lines}`);
         for (const text of texts)
           assert.ok(
             inSvg.texts.some((one) => one?.includes(text)),

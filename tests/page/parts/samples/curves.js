@@ -21,6 +21,7 @@ export const sample = {
     clock: [['', '#play, #robot-clock input']],
   },
   essentials: ['#curves-picture', '#play'],
+  readout: ['view=stability', 'stability-note'],
   pictures: [
     {
       pictures: [

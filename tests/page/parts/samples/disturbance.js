@@ -1,4 +1,5 @@
 // What tests have to know of Disturbance.
+import { computed } from '../lasting.js';
 import { plane, textOf } from '../pictured.js';
 
 /** @type {import('../samples.js').Sample} */
@@ -10,6 +11,9 @@ export const sample = {
     settings: [['', '#disturbance-controls input, #disturbance-controls select']],
   },
   essentials: ['#remains', '#disturbance-kind'],
+  lasting: { measured: computed, message: computed },
+  computed: { place: '#remains-text', text: 'this drive' },
+  readout: ['', 'remains-text'],
   pictures: [
     {
       setUp: (page) => textOf(page, 'remains-text', 'In the last'),

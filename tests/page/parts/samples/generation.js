@@ -20,6 +20,7 @@ export const sample = {
     run: [['', '#generation-step button, #generation-begin, #run']],
   },
   essentials: ['#generation-picture', '#generation-next'],
+  readout: null,
   pictures: [
     {
       setUp: async (page) => {

@@ -6,6 +6,7 @@ export const sample = {
   slice: { curve: 'sigmas' },
   tables: { '': 'fitness-table' },
   essentials: ['#plane', '#run'],
+  readout: null,
   pictures: [
     {
       setUp: async (page) => {

@@ -1,4 +1,5 @@
 // What tests have to know of Landscape.
+import { computed } from '../lasting.js';
 import { plane, textOf } from '../pictured.js';
 
 /** @type {import('../samples.js').Sample} */
@@ -10,6 +11,9 @@ export const sample = {
     seed: [['', '#new-seed']],
   },
   essentials: ['#landscape-map', '#run'],
+  lasting: { result: computed, message: computed },
+  computed: { place: '#landscape-note', text: 'drives in' },
+  readout: ['', 'landscape-readout'],
   pictures: [
     {
       setUp: (page) => textOf(page, 'landscape-note', '16 384 drives'),

@@ -1,5 +1,6 @@
 // What tests have to know of Luck.
 import { runContest } from '../contest-page.js';
+import { asked, found, underWay } from '../lasting.js';
 import { plane, textOf } from '../pictured.js';
 
 /** @typedef {import('../samples.js').Page} Page */
@@ -66,6 +67,19 @@ export const sample = {
     seed: [['', '#luck-open']],
   },
   essentials: ['#luck-curve', '#luck-run'],
+  lasting: {
+    contest: found,
+    contestRuns: underWay,
+    wanted: asked,
+    seedsWanted: asked,
+    log: 'how what was found is drawn',
+    progress: underWay,
+    soFar: underWay,
+    result: found,
+    chosen: 'one of what was found',
+    pointed: 'under the pointer',
+  },
+  readout: null,
   pictures: [
     {
       setUp: runSeeds,

@@ -1,5 +1,7 @@
 // What tests have to know of Park.
 
+const ofParked = 'what goes with the sliders of Park, which stay';
+
 /** @type {import('../samples.js').Sample} */
 export const sample = {
   free: ['park-again', 'park-close', 'park-next', 'park-previous'],
@@ -8,6 +10,18 @@ export const sample = {
     run: [['', '#park-evolve']],
   },
   essentials: ['.park-plane', '#park-evolve'],
+  lasting: {
+    gains: ofParked,
+    best: ofParked,
+    bred: ofParked,
+    evolving: ofParked,
+    between: ofParked,
+    looked: ofParked,
+    seed: ofParked,
+    ends: ofParked,
+    endsBefore: ofParked,
+  },
+  readout: null,
   pictures: [
     {
       setUp: (page) =>

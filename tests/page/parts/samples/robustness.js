@@ -1,4 +1,5 @@
 // What tests have to know of Robustness.
+import { computed } from '../lasting.js';
 import { plane, textOf } from '../pictured.js';
 
 /** @type {import('../samples.js').Sample} */
@@ -19,6 +20,9 @@ export const sample = {
     drives: [['', '#drives-evolved, #drives-hand']],
   },
   essentials: ['#robustness-map', '#robustness-quantity'],
+  lasting: { survey: computed, rival: computed, message: computed },
+  computed: { place: '#robustness-rival', text: 'with the paper’s arbitrary gains' },
+  readout: ['', 'robustness-readout'],
   pictures: [
     {
       setUp: (page) => textOf(page, 'robustness-note', '118 098 starts in'),

@@ -1,4 +1,5 @@
 // What tests have to know of Training.
+import { asked, computed, found, underWay } from '../lasting.js';
 import { plane, textOf } from '../pictured.js';
 
 /** @type {import('../samples.js').Sample} */
@@ -19,6 +20,18 @@ export const sample = {
     run: [['', '#training-evolve']],
   },
   essentials: ['#training-unseen', '#training-evolve'],
+  lasting: {
+    progress: underWay,
+    message: computed,
+    evolved: found,
+    spread: found,
+    given: computed,
+    begun: underWay,
+    wanted: asked,
+    byHand: 'goes with what was found',
+  },
+  computed: { place: '#training-finding', text: 'The paper’s EP gains arrive from' },
+  readout: null,
   pictures: [
     {
       setUp: (page) => textOf(page, 'training-seen-title', 'From the start:'),
