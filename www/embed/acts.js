@@ -111,20 +111,11 @@ function openedWith(state, experiment, handGains, generation) {
   const { page, lesson, preset, pins, exercise, student } = state;
   const spent = exercise.aim?.drives ? spentOf({ ...state, generation: 0 }) : student.spent;
   // Of an exercise it is a new one; what is drawn for a student stays drawn.
-  const drive = {
-    driver: handGains ? /** @type {const} */ ('hand') : /** @type {const} */ ('evolved'),
-    handGains,
-    generation,
-  };
+  /** @type {Pick<Opened, 'driver' | 'handGains' | 'generation'>} */
+  const drive = { driver: handGains ? 'hand' : 'evolved', handGains, generation };
   const given = exercise.vary.length === 0 ? { preset, experiment } : student.base;
   const base = student.base && given && { ...given, prepared: preparedAs(drive, exercise) };
-  const kept = {
-    page,
-    lesson,
-    preset,
-    pins,
-    exercise,
-    student: { ...student, base, spent, handin: '', of: '' },
-  };
+  const own = { ...student, base, spent, handin: '', of: '' };
+  const kept = { page, lesson, preset, pins, exercise, student: own };
   return { ...kept, ...drive, experiment, found: 'hand', trial: noTrial, parts: {} };
 }

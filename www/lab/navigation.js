@@ -83,10 +83,8 @@ export function createPages(pages, named, nav, tagline, onOpen, onLesson) {
       if (!lesson) document.title = titleOf(named[open].name);
       tagline.textContent = lesson ? lessonWords.tagline : named[open].purpose(population);
       const current = lesson ? 'lesson' : open;
-      render(
-        pages.map((name) => linkTo(name, name === current)),
-        nav,
-      );
+      const links = pages.map((name) => linkTo(name, name === current));
+      render(links, nav);
       // When the frame is laid out: before, that would be done twice.
       requestAnimationFrame(() => showCurrent(nav));
       // Parts are made while the page is open.

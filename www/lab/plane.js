@@ -1,5 +1,5 @@
 // The plane in metres: paths on one canvas, redrawn when they change; robots on another, redrawn as they move.
-/** @import { Posture, Run } from '../core/engine.js' */
+/** @import { Posture } from '../core/engine.js' */
 /** @import { View } from '../kit/transform.js' */
 /** @import { Pins } from '../run/pins.js' */
 /** @import { Scene } from '../run/scene.js' */

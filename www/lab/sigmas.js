@@ -70,10 +70,8 @@ function drawSigmas(context, size, { history, generation, columns }) {
 /** Whole powers of ten around all σ. @param {Columns} columns @returns {[number, number]} */
 function decades(columns) {
   // σ = 1 of the beginning has a decade above and below.
-  const [low, high] = extentOf(
-    gains.map((gain) => columns[gain]),
-    [0.1, 10],
-  );
+  const sigmas = gains.map((gain) => columns[gain]);
+  const [low, high] = extentOf(sigmas, [0.1, 10]);
   return [10 ** Math.floor(Math.log10(low)), 10 ** Math.ceil(Math.log10(high))];
 }
 

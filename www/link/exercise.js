@@ -100,13 +100,8 @@ export function withVariant(opened, refuse, check) {
     return withVariant(asking(opened, { scale: null }), refuse, check);
   }
   const { preset, experiment } = student.base ?? opened;
-  const base = asksSomething(exercise)
-    ? {
-        preset,
-        experiment: withoutFreeSeed(experiment, exercise, opened.experiment),
-        prepared: preparedIn(opened),
-      }
-    : null;
+  const given = withoutFreeSeed(experiment, exercise, opened.experiment);
+  const base = asksSomething(exercise) ? { preset, experiment: given, prepared: preparedIn(opened) } : null;
   const spent = exercise.aim?.drives ? student.spent : 0;
   const within = { ...opened, student: { ...student, base, spent } };
   if (!base || exercise.vary.length === 0 || student.who === '') return within;
@@ -170,19 +165,11 @@ const preparedReads = {
 };
 
 /** What leads back to an exercise that was left: a preset, what drives in it, and what is different from the preset. @param {Pick<Linked, 'exercise' | 'student'>} state @param {(preset: Preset) => Experiment} experimentOf @returns {[string, string][]} */
-export const givenPairs = ({ exercise, student: { base } }, experimentOf) =>
-  base && asksSomething(exercise)
-    ? [
-        [
-          'given',
-          [
-            base.preset,
-            ...preparedText(base.prepared),
-            ...changesText(base.experiment, experimentOf(base.preset)),
-          ].join('~'),
-        ],
-      ]
-    : [];
+export function givenPairs({ exercise, student: { base } }, experimentOf) {
+  if (!base || !asksSomething(exercise)) return [];
+  const changes = changesText(base.experiment, experimentOf(base.preset));
+  return [['given', [base.preset, ...preparedText(base.prepared), ...changes].join('~')]];
+}
 
 /** It is written beside the others, and read as they are. @type {Key} */
 export const givenKey = {

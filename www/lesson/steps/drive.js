@@ -38,11 +38,8 @@ export const drive = {
   ],
   values: ({ engine, state, paper }) => {
     const drivers = /** @type {const} */ (['paper-arbitrary', 'paper-ep']);
-    const runs = engine.drive(
-      state.experiment,
-      drivers.map((driver) => gainsOf(state, driver, paper)),
-    );
-    const [arbitrary, ep] = runs.map(({ cost }) => lab.costText(cost.total));
+    const gains = drivers.map((driver) => gainsOf(state, driver, paper));
+    const [arbitrary, ep] = engine.drive(state.experiment, gains).map(({ cost }) => lab.costText(cost.total));
     return { arbitrary, ep };
   },
 };

@@ -78,10 +78,8 @@ export function createStrip({ actions, store }, words) {
 function domainOf(side, { asked, terms, limit }) {
   const most = reach[side];
   const usual = limit === null ? most / 2 : Math.min(1.2 * limit, most);
-  const [low, high] = extentOf(
-    [asked, ...terms].map(({ values }) => values),
-    [0, usual],
-  );
+  const all = [asked, ...terms].map(({ values }) => values);
+  const [low, high] = extentOf(all, [0, usual]);
   // Where something pushes backwards, the limit on that side is there too.
   return [
     Math.max(low < -0.02 * most ? Math.min(1.1 * low, -usual) : -0.05 * most, -most),

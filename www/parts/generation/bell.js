@@ -60,3 +60,13 @@ function drawn(x, y) {
 /** A tip at the edge, for what lies further out. @param {number} draw */
 const beyond = (draw) =>
   svg`<path class="drawn" d=${draw > 0 ? `M${width} ${base}l-8 -5v10z` : `M0 ${base}l8 -5v10z`} />`;
+
+/** A number with its sign as a bar beside 0, as large as it is beside the largest. @param {number} part From −1 to 1. */
+export function bar(part) {
+  const long = Math.max(-1, Math.min(1, Number.isFinite(part) ? part : 0)) * (middle - 4);
+  return html`
+    <svg class="bell bar-of" viewBox="0 0 ${width} ${height}" aria-hidden="true">
+      <path class="base" d="M${middle} 6V34" />
+      <rect x=${Math.min(middle, middle + long)} y="12" width=${Math.abs(long)} height="16" />
+    </svg>`;
+}

@@ -5,8 +5,7 @@
 import { html, nothing } from 'lit-html';
 import { deviationOf } from '../../kit/ellipse.js';
 import words from './words/index.js';
-import { bar } from './bar.js';
-import { bell, shareOf } from './bell.js';
+import { bar, bell, shareOf } from './bell.js';
 import { becoming, gainRows, headline, link, rulesOf, symbol } from './detail.js';
 import { trialOf } from './record.js';
 import { centreOf, simplexOf } from './sketch.js';

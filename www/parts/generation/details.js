@@ -4,6 +4,7 @@
 /** @import { Birth, Rates } from './birth.js' */
 /** @import { Successes } from './detail-methods.js' */
 /** @import { Anatomy, Phase } from './record.js' */
+import { range } from 'd3-array';
 import { html, nothing } from 'lit-html';
 import { forgets, methods } from '../../core/methods.js';
 import { winsBout } from '../../core/rules.js';
@@ -104,11 +105,7 @@ const contents = {
 
   ranking({ anatomy, chosen }, { choose }) {
     const { counting, ranked, ranks } = anatomy;
-    const last = Math.min(ranked, counting + aroundCut);
-    const near = Array.from({ length: ranked }, (_, rank) => rank).slice(
-      Math.max(0, counting - aroundCut),
-      last,
-    );
+    const near = range(Math.max(0, counting - aroundCut), Math.min(ranked, counting + aroundCut));
     const own = ranks[chosen];
     const rows = [...new Set([own, ...near])].sort((a, b) => a - b);
     return html`

@@ -47,7 +47,8 @@ export function placesOf(anatomy, phase, size) {
   const { y } = heightOf(anatomy, size);
   const pairs = columnsOf(size, columns);
   const ranked = columnsOf(size, phase === 'ranking' ? anatomy.ranked : all.length);
-  const aside = pairedAside(size, columns);
+  /** How far a parent stands left of the middle of its pair, and its offspring right. */
+  const aside = Math.min(8, 0.25 * pairs.step);
   /** Before there is an offspring its parent stands alone, in the middle. @param {number} number */
   const byPair = (number) => {
     const apart = phase === 'parents' ? 0 : aside;
@@ -64,9 +65,6 @@ export function placesOf(anatomy, phase, size) {
     return { x: byPair(number), y: y(undriven ? all[number % count].cost : cost) };
   });
 }
-
-/** How far a parent stands left of the middle of its pair, and its offspring right. @param {Size} size @param {number} columns */
-const pairedAside = (size, columns) => Math.min(8, 0.25 * columnsOf(size, columns).step);
 
 /** The numbers in sight, from left to right. @param {Anatomy} anatomy @param {Phase} phase @returns {number[]} */
 export function orderOf({ all, count, columns, ranking, ranked, record, method }, phase) {

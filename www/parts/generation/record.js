@@ -39,7 +39,8 @@ const papers = { method: 'ep', initialRange: [0, 1], step: 'gaussian', belowZero
 export function dissect(record, settings = papers) {
   const { method } = settings;
   const all = [...record.parents, ...record.offspring];
-  const { ranking, plan } = record;
+  const costs = all.map(({ cost }) => cost);
+  const { ranking, plan, opponents } = record;
   const ranks = new Array(all.length);
   for (const [place, number] of ranking.entries()) ranks[number] = place;
   const [count, born] = [record.parents.length, record.offspring.length];
@@ -57,21 +58,12 @@ export function dissect(record, settings = papers) {
     ranking,
     ranks,
     upset: methods[method].upsets ? upsetOf(record, all) : null,
-    expected: expectedIn(record, all),
+    expected: opponents.length > 0 ? expectedWins(costs, opponents[0].length) : [],
   };
 }
 
 /** Generation 0 has no offspring and no tournament. @param {GenerationRecord} record */
 export const isInitial = (record) => record.offspring.length === 0;
-
-/** @param {GenerationRecord} record @param {Individual[]} all */
-const expectedIn = ({ opponents }, all) =>
-  opponents.length > 0
-    ? expectedWins(
-        all.map(({ cost }) => cost),
-        opponents[0].length,
-      )
-    : [];
 
 /** The worst that survives and the best that falls, if the wrong way round. @param {GenerationRecord} record @param {Individual[]} all @returns {Upset | null} */
 function upsetOf({ survivors }, all) {

@@ -16,8 +16,8 @@ const secondsOfPhase = 2;
 /** @param {{ store: import('../../run/store.js').Store, actions: import('../../run/actions/actions.js').Actions, anatomyOf: (state: State) => Anatomy }} parts */
 export function createSteps({ store, actions, anatomyOf }) {
   const pause = () => actions.pauseEvolution();
-  /** Of what no record can be had is said. @param {() => void} act @param {() => boolean} isWanted */
-  const whenRecorded = (act, isWanted) => whenThere(orSay(act, actions.say), isWanted);
+  /** Of what no record can be had is said. @param {() => void} act @param {() => boolean} [isWanted] */
+  const whenRecorded = (act, isWanted = () => true) => whenThere(orSay(act, actions.say), isWanted);
   const shown = () => {
     const state = store.get();
     const anatomy = anatomyOf(state);
@@ -90,20 +90,15 @@ export function createSteps({ store, actions, anatomyOf }) {
     next() {
       pause();
       // In what was set before, once that has begun.
-      afterwards(() => whenRecorded(goOn, () => true));
+      afterwards(() => whenRecorded(goOn));
     },
 
-    back: () => whenRecorded(goBack, () => true),
+    back: () => whenRecorded(goBack),
 
     /** From generation 0, which goes through nothing, into the phases of the next. */
     begin() {
       pause();
-      afterwards(() =>
-        whenRecorded(
-          () => onward('mutation'),
-          () => true,
-        ),
-      );
+      afterwards(() => whenRecorded(() => onward('mutation')));
     },
 
     fallenBefore: fall.before,

@@ -121,7 +121,6 @@ function drawShares(context, frame, { x, ticks, drives, shares }, name) {
 function drawUntil(context, frame, x, { contest, standings: { budget } }) {
   const at = x(budget);
   drawUpright(context, at, frame, { token: '--ink', width: 1, dash: [3, 3] });
-  const text = words.drivesChoice(budget);
   return {
     x: at,
     y: frame.top - 8,
@@ -131,6 +130,6 @@ function drawUntil(context, frame, x, { contest, standings: { budget } }) {
     valueAt: (px) => Math.min(contest.budget, Math.max(1, Math.round(x.invert(px)))),
     range: [1, contest.budget],
     value: budget,
-    text,
+    text: words.drivesChoice(budget),
   };
 }

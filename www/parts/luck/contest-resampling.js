@@ -112,11 +112,7 @@ export function toldApart(first, others, count) {
   for (let draw = 1; draw <= draws; draw += 1) {
     const drawn = someOf(seeds, count, draw);
     const endsOf = (/** @type {EndsBySeed} */ ends) => drawn.flatMap((seed) => ends.get(seed) ?? []);
-    const own = endsOf(first);
-    const compared = comparisonsOf(
-      own,
-      others.map((ends) => endsOf(ends)),
-    );
+    const compared = comparisonsOf(endsOf(first), others.map(endsOf));
     for (const [i, { side }] of compared.entries()) told[i] += Number(side !== 0);
   }
   return told;

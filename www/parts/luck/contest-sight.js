@@ -25,10 +25,8 @@ import words from './words/index.js';
  */
 
 const { contestTexts: texts } = words;
-/** @type {[number, string][]} */
-const seedChoices = contestSeeds.map((count) => [count, words.countChoice(count)]);
-/** @type {[number, string][]} */
-const budgetChoices = budgets.map((drives) => [drives, words.drivesChoice(drives)]);
+const seedChoices = contestSeeds.map((count) => /** @type {const} */ ([count, words.countChoice(count)]));
+const budgetChoices = budgets.map((drives) => /** @type {const} */ ([drives, words.drivesChoice(drives)]));
 const [legend, rows] = [0, 1].map(() => styles.map(createSwatch));
 
 /** @param {State} state @param {Standings | null} standings @param {string} stale What of the lab has changed since. @param {boolean} isTyping What is typed stays. @param {ContestEvents} on */
@@ -92,7 +90,6 @@ function entrants({ others, contestRuns }, { update }) {
 
 /** @param {LuckState} luck @param {Standings} standings @param {boolean} isTyping @param {ContestEvents} on */
 function targetField({ target, targetError, contest }, standings, isTyping, { update, redraw }) {
-  const contestBudget = contest?.budget;
   const change = (/** @type {Event} */ event) => {
     const text = valueIn(event);
     const value = numberOf(text);
@@ -113,7 +110,7 @@ function targetField({ target, targetError, contest }, standings, isTyping, { up
           ? html`<span id="contest-usual" class="muted">${standings.lowest ? words.usualTargetText(standings.lowest) : ''}</span>`
           : html`<button id="contest-usual" type="button" class="link" @click=${() => update({ target: null, targetError: '' })}>${texts.usualTarget}</button>`
       }
-      <button id="contest-whole" type="button" class="link" .hidden=${standings.budget === contestBudget}
+      <button id="contest-whole" type="button" class="link" .hidden=${standings.budget === contest?.budget}
         @click=${() => update({ until: null })}>${words.untilText(standings.budget)}</button>
       <span id="contest-target-error" class="contest-error" role="alert">${targetError}</span>
     </div>`;

@@ -118,29 +118,20 @@ export function standingsOf(contest, { target: chosen = null, until = null, only
 function comparedOf(lines, target, budget, isBefore) {
   const ends = lines.map(({ trials }) => [...endsOf(trials, target, budget).values()]);
   const compared = lines.map((_, i) => i > 0 && ends[0].length > 0 && ends[i].length > 0);
-  const comparisons = comparisonsOf(
-    ends[0],
-    ends.filter((_, i) => compared[i]),
-  );
-  const resampled = ends.map((own) =>
-    own.length < leastRuns
-      ? null
-      : resampledTimes(
-          own.map(({ runtime }) => runtime),
-          budget,
-        ),
-  );
+  const rivals = ends.filter((_, i) => compared[i]);
+  const comparisons = comparisonsOf(ends[0], rivals);
+  const runtimes = ends.map((own) => own.map(({ runtime }) => runtime));
+  const resampled = runtimes.map((own) => (own.length < leastRuns ? null : resampledTimes(own, budget)));
   const standings = lines.map(({ name, error }, i) => {
-    const runtimes = ends[i].map(({ runtime }) => runtime);
-    const times = resampled[i];
+    const [own, times] = [runtimes[i], resampled[i]];
     return {
       name,
       error,
-      count: runtimes.length,
-      reached: runtimes.filter(Number.isFinite).length,
-      ert: expectedRunningTime(runtimes, budget),
+      count: own.length,
+      reached: own.filter(Number.isFinite).length,
+      ert: expectedRunningTime(own, budget),
       interval: times && intervalOf(times),
-      median: runtimes.length > 0 ? quartilesOf(ends[i].map(({ cost }) => cost)).median : Infinity,
+      median: own.length > 0 ? quartilesOf(ends[i].map(({ cost }) => cost)).median : Infinity,
     };
   });
   const others = comparisons.length - 1;
