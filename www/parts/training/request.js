@@ -53,25 +53,21 @@ export async function testRobots(engine, { one, unseen }, experiment, robots, op
 }
 
 /** What a state asks for; the same object while nothing that matters has changed. */
-const createSpec = () =>
-  remember(
-    /** @param {Experiment} experiment @param {Triple} ep @param {Triple} arbitrary @param {Triple | null} hand @returns {Spec} */
-    (experiment, ep, arbitrary, hand) => {
-      const robot = (/** @type {RowName} */ name, /** @type {Triple} */ gains) => ({
-        name,
-        gains,
-        starts: experiment.starts,
-      });
-      return {
-        experiment,
-        robots: [
-          robot('paper-ep', ep),
-          robot('paper-arbitrary', arbitrary),
-          ...(hand ? [robot('hand', hand)] : []),
-        ],
-      };
-    },
-  );
+const specOf = remember(
+  /** @param {Experiment} experiment @param {Triple} ep @param {Triple} arbitrary @param {Triple | null} hand @returns {Spec} */
+  (experiment, ep, arbitrary, hand) => {
+    const { starts } = experiment;
+    const robot = (/** @type {RowName} */ name, /** @type {Triple} */ gains) => ({ name, gains, starts });
+    return {
+      experiment,
+      robots: [
+        robot('paper-ep', ep),
+        robot('paper-arbitrary', arbitrary),
+        ...(hand ? [robot('hand', hand)] : []),
+      ],
+    };
+  },
+);
 
 /**
  * On each set of starts, side by side, and then tested.
@@ -130,8 +126,6 @@ export function createTraining(engine, store, paper) {
     onResult: (result) => update({ given: result, message: '' }),
     onFailure: (error) => update({ message: messageAround(error) }),
   });
-
-  const specOf = createSpec();
 
   return {
     setsOf,
