@@ -6,7 +6,7 @@ import { watch } from '../kit/memo.js';
 import { gainsOf } from '../run/drivers.js';
 import { createStep, nameOf } from './blocks.js';
 import { createErrorPosture } from './views/error-posture.js';
-import { createLit } from './lit.js';
+import { createLit } from './terms.js';
 import { createPlace } from './keepsake.js';
 import { settle } from './questions/settle.js';
 import { createSights, figureOf } from './sights.js';
