@@ -9,6 +9,9 @@ import words from './words/index.js';
 /** @import { Choice } from '../kit/segmented.js' */
 /** @import { State } from '../run/state.js' */
 /** @import { Step } from './steps.js' */
+/** On a lower plane a drive cannot be followed. */
+const leastHeight = 200;
+
 /** @typedef {'robot' | 'stage' | 'part' | 'gains'} Sight */
 /** What stands under the plane. @typedef {'' | 'drive' | 'evolve' | 'plane' | 'part'} Figure */
 
@@ -79,8 +82,9 @@ export function createSights(fieldset) {
     /** Shows what a question is about, now and in what it opens. @param {Sight} sight */
     look(sight) {
       wanted = sight;
-      // Who sees the robot already keeps what stands beside it.
-      const isThere = sight === 'robot' && isSeen(byId('plane'));
+      const plane = byId('plane');
+      // Who sees it already, as more than a strip, keeps what stands beside it.
+      const isThere = sight === 'robot' && isSeen(plane) && plane.clientHeight >= leastHeight;
       if (isThere || !offered.includes(sight)) return;
       chosen = sight;
       draw();

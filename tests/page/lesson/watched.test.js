@@ -1,0 +1,28 @@
+// Where there is room for one thing only, what one is told to watch is that.
+import assert from 'node:assert/strict';
+import { pageTest } from '../harness/browsers.js';
+import { linkOfStep, stepNames } from '../../../www/lesson/path.js';
+
+/** By what is pressed. */
+const pressed = {
+  drive: '.quiz button:not(:disabled)',
+  task: 'a[href*="robustness"][href*="from="]',
+};
+
+pageTest('on a telephone the drive that a question or a try is about comes into sight', async (page) => {
+  await page.resize(390, 844);
+  for (const [name, selector] of Object.entries(pressed)) {
+    const number = stepNames.findIndex((step) => step === name) + 1;
+    await page.open(`#${linkOfStep(number)}`);
+    await page.evaluate((selector) => {
+      /** @type {HTMLElement | null} */ (document.querySelector(selector))?.click();
+    }, selector);
+    const height = await page.until(`${name} shows the robot`, () => {
+      const plane = document.getElementById('plane');
+      const isRobot = /** @type {HTMLInputElement | null} */ (document.getElementById('sights-robot'))
+        ?.checked;
+      return isRobot && plane?.checkVisibility() && plane.clientHeight;
+    });
+    assert.ok(height >= 300, `${name}: ${height}`);
+  }
+});
