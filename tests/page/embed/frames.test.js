@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { sizes, wantedHeight } from '../../../www/embed/frame.js';
 import { pageNames, parts } from '../../../www/parts/parts.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
-import { frameOf, inHost, within } from '../harness/host.js';
+import { frameOf, inHost, inNextFrame, within } from '../harness/host.js';
 import { samples } from '../parts/samples.js';
 
 /** The picture of a part, and what one presses first. @param {string} name */
@@ -83,33 +83,35 @@ for (const [[width, height], language, names, declare] of /** @type {const} */ (
   declare(
     `${names === tightest ? tightest.join() : 'every part'} finds its place in ${width} × ${height}, in ${language}`,
     async (page) => {
-      for (const name of names) {
-        const link = `${name}&v=1${language === 'en' ? '' : `&lang=${language}`}`;
-        // One figure at a time: nine are a lot to begin at once.
-        await inHost(page, frameOf(page, link, width, height), async () => {
-          const problems = () => within(page, 0, () => page.evaluate(misplaced, essentialsOf(name)));
-          assert.deepEqual(await problems(), [], name);
-          // At the height that it asks for it fits as well.
-          const wanted = wantedHeight(parts, name, 0, width);
-          await page.until(
-            `${name} has the height that it has asked for`,
-            (expected) => {
-              const { heard } = /** @type {{ heard: import('../harness/host.js').Heard[] }} */ (
-                /** @type {unknown} */ (window)
-              );
-              const height = heard.findLast(({ data }) => data.type === 'height')?.data.height;
-              const frame = /** @type {HTMLIFrameElement} */ (document.querySelector('iframe'));
-              frame.height = height;
-              return height === expected;
-            },
-            wanted,
-          );
-          await within(page, 0, () =>
-            page.until(`${name} is that high`, (expected) => innerHeight === expected, wanted),
-          );
-          assert.deepEqual(await problems(), [], `${name} at ${wanted}`);
-        });
-      }
+      await inHost(page, '', async () => {
+        for (const name of names) {
+          const link = `${name}&v=1${language === 'en' ? '' : `&lang=${language}`}`;
+          // One figure at a time: nine are a lot to begin at once.
+          await inNextFrame(page, frameOf(page, link, width, height), async () => {
+            const problems = () => within(page, 0, () => page.evaluate(misplaced, essentialsOf(name)));
+            assert.deepEqual(await problems(), [], name);
+            // At the height that it asks for it fits as well.
+            const wanted = wantedHeight(parts, name, 0, width);
+            await page.until(
+              `${name} has the height that it has asked for`,
+              (expected) => {
+                const { heard } = /** @type {{ heard: import('../harness/host.js').Heard[] }} */ (
+                  /** @type {unknown} */ (window)
+                );
+                const height = heard.findLast(({ data }) => data.type === 'height')?.data.height;
+                const frame = /** @type {HTMLIFrameElement} */ (document.querySelector('iframe'));
+                frame.height = height;
+                return height === expected;
+              },
+              wanted,
+            );
+            await within(page, 0, () =>
+              page.until(`${name} is that high`, (expected) => innerHeight === expected, wanted),
+            );
+            assert.deepEqual(await problems(), [], `${name} at ${wanted}`);
+          });
+        }
+      });
     },
   );
 

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { pageNames } from '../../../www/parts/parts.js';
 import { pageTest } from '../harness/browsers.js';
-import { frameOf, inHost, within } from '../harness/host.js';
+import { frameOf, inHost, inNextFrame, within } from '../harness/host.js';
 import { turnToPaper } from '../whole/on-paper.js';
 
 /** Of the lesson those whose figure shows its stage, its part and its robot. */
@@ -29,24 +29,26 @@ for (const [width, height] of [
   [1000, 620],
 ])
   pageTest(`a figure of ${width} × ${height} has its pictures on the paper of its host too`, async (page) => {
-    for (const name of [...pageNames, ...steps])
-      await inHost(page, frameOf(page, `${name}&v=1`, width, height), () =>
-        within(page, 0, async () => {
-          await page.until('there is something to see', () =>
-            [...document.querySelectorAll('main :is(canvas, .picture), .lesson p')].some((one) =>
-              one.checkVisibility({ visibilityProperty: true }),
-            ),
-          );
-          // At once, for what is computed comes meanwhile.
-          const [before, after] = /** @type {ReturnType<typeof look>[]} */ (
-            await page.driver.executeScript(
-              `const before = (${look})(); (${turnToPaper})(); return [before, (${look})()];`,
-            )
-          );
-          assert.ok(before.pressed > 0 && before.pictures.length + before.words > 0, name);
-          assert.deepEqual(after, { ...before, pressed: 0 }, name);
-        }),
-      );
+    await inHost(page, '', async () => {
+      for (const name of [...pageNames, ...steps])
+        await inNextFrame(page, frameOf(page, `${name}&v=1`, width, height), () =>
+          within(page, 0, async () => {
+            await page.until('there is something to see', () =>
+              [...document.querySelectorAll('main :is(canvas, .picture), .lesson p')].some((one) =>
+                one.checkVisibility({ visibilityProperty: true }),
+              ),
+            );
+            // At once, for what is computed comes meanwhile.
+            const [before, after] = /** @type {ReturnType<typeof look>[]} */ (
+              await page.driver.executeScript(
+                `const before = (${look})(); (${turnToPaper})(); return [before, (${look})()];`,
+              )
+            );
+            assert.ok(before.pressed > 0 && before.pictures.length + before.words > 0, name);
+            assert.deepEqual(after, { ...before, pressed: 0 }, name);
+          }),
+        );
+    });
   });
 
 pageTest('a figure that is narrower on paper is drawn as wide as it is there', async (page) => {

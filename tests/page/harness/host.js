@@ -55,6 +55,20 @@ export async function inHost(page, html, body) {
   }
 }
 
+/**
+ * In the page of the host: another figure, alone. It begins sooner than in a page of its own, which is given a process of its own.
+ * @param {Page} page @param {string} html @param {() => Promise<void>} body
+ */
+export async function inNextFrame(page, html, body) {
+  await page.evaluate((text) => {
+    Object.assign(window, { heard: [] });
+    document.body.innerHTML = text;
+  }, html);
+  await page.until('the frame is ready', isReady, 0);
+  await body();
+  assert.deepEqual(await within(page, 0, () => page.problems()), []);
+}
+
 /** In the host. @param {number} frame */
 const isReady = (frame) =>
   /** @type {{ heard: Heard[] }} */ (/** @type {unknown} */ (window)).heard.some(
