@@ -37,6 +37,28 @@ export async function look(longest, condition, args) {
   }
 }
 
+/**
+ * The one element that a selector finds, scrolled into view, and the middle of what is in sight of it, where a press there
+ * meets it; else how many there are.
+ * @param {string} selector
+ */
+export function findOne(selector) {
+  const elements = document.querySelectorAll(selector);
+  if (elements.length !== 1) return { count: elements.length };
+  const [element] = elements;
+  element.scrollIntoView({ block: 'nearest' });
+  const [box] = element.getClientRects();
+  if (!box || element instanceof HTMLOptionElement) return { element };
+  const [x, y] = [
+    (Math.max(box.left, 0) + Math.min(box.right, innerWidth)) / 2,
+    (Math.max(box.top, 0) + Math.min(box.bottom, innerHeight)) / 2,
+  ].map(Math.floor);
+  const isMet =
+    element.contains(document.elementFromPoint(x, y)) &&
+    element.checkVisibility({ opacityProperty: true, visibilityProperty: true });
+  return isMet ? { element, place: { x, y } } : { element };
+}
+
 /** @param {string} address of axe-core @param {string} selector @param {boolean} contrast whether colours are looked at */
 export async function obstaclesOf(address, selector, contrast) {
   const own = /** @type {{ axe?: typeof import('axe-core') }} */ (/** @type {unknown} */ (window));
