@@ -25,18 +25,18 @@ async function setWindow({ driver }, wide, high) {
 
 /** @param {Page} page @param {number} width @param {number} height CSS pixels. */
 export async function resize(page, width, height) {
-  for (let attempt = 0; attempt < 5; attempt++) {
-    /** @type {{ width: number, height: number }} */
-    const inner = await page.driver.executeScript(() => ({ width: innerWidth, height: innerHeight }));
-    if (inner.width === width && inner.height === height) return;
+  /** @type {{ width: number, height: number }} */
+  let inner = await page.driver.executeScript(() => ({ width: innerWidth, height: innerHeight }));
+  for (let attempt = 0; attempt < 5 && (inner.width !== width || inner.height !== height); attempt++) {
     if (page.engine === 'chromium') await setScreen(page, width, height);
     else await setWindow(page, width - inner.width, height - inner.height);
     // The page learns its new size later than the window, and its pictures in the frame after that.
-    await page.driver.executeScript(async (/** @type {typeof inner} */ old) => {
+    inner = await page.driver.executeScript(async (/** @type {typeof inner} */ old) => {
       const frame = () =>
         window.pageFrames?.settled() ?? new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
       for (let i = 0; i < 30 && innerWidth === old.width && innerHeight === old.height; i++) await frame();
       await frame();
+      return { width: innerWidth, height: innerHeight };
     }, inner);
   }
 }

@@ -9,6 +9,7 @@ import * as ko from '../../../www/parts/generation/words/ko.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { Evolution, experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
+import { follow } from '../whole/surround.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../../../www/parts/generation/record.js').Anatomy} Anatomy */
@@ -153,10 +154,11 @@ test('the simplex that is drawn in the end is the one from which the next genera
   }
 });
 
-/** Opens a generation of a method in one of its phases. @param {Page} page @param {string} method @param {number} generation @param {string} phase @param {string} [more] */
+/** Follows a link to a generation of a method in one of its phases. @param {Page} page @param {string} method @param {number} generation @param {string} phase @param {string} [more] */
 async function openAt(page, method, generation, phase, more = '') {
-  await page.open(
-    `#generation&v=1&generation=${generation}&evolution.method=${method}&phase=${phase}${more}`,
+  await follow(
+    page,
+    `generation&v=1&generation=${generation}&evolution.method=${method}&phase=${phase}${more}`,
   );
   await page.until('it is shown', () => document.getElementById('generation-details')?.children.length);
 }
@@ -274,7 +276,8 @@ pageTest(
   'each phase of each method is in sight without scrolling, and readable for everybody',
   async (page) => {
     await page.resize(1024, 768);
-    for (const language of ['en', 'ko'])
+    for (const language of ['en', 'ko']) {
+      await page.open(`#generation&v=1&lang=${language}`);
       for (const method of rivals) {
         await openAt(page, method, 4, 'parents', `&lang=${language}`);
         const there = phasesOf(anatomiesOf(method, 4)[4]);
@@ -290,6 +293,7 @@ pageTest(
         }
         if (language === 'en') assert.deepEqual(await page.obstacles(), [], method);
       }
-    assert.deepEqual(await page.problems(), []);
+      assert.deepEqual(await page.problems(), []);
+    }
   },
 );
