@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { steps } from '../../../www/lesson/steps.js';
 import { en as english } from '../harness/words.js';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
+import { follow } from '../whole/surround.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
@@ -57,23 +58,28 @@ pageTest(
     let planes = 0;
     for (const { name, stage } of steps) {
       await page.resize(1440, 900);
-      await page.open(`#lesson&step=${name}`);
-      const { bottom, plane, isStaged } = await page.until('the figure is drawn', () => {
-        const heightOf = (/** @type {string} */ one) => {
-          // Where it has no box of its own it is as high as what stands in it.
-          const found = [...document.querySelectorAll(`${one}, ${one} *`)].find(
-            (element) => element.checkVisibility() && element.clientHeight > 0,
+      await follow(page, `lesson&step=${name}`);
+      const { bottom, plane, isStaged } = await page.until(
+        'the figure is drawn',
+        (title) => {
+          if (document.getElementById('lesson-title')?.textContent !== title) return null;
+          const heightOf = (/** @type {string} */ one) => {
+            // Where it has no box of its own it is as high as what stands in it.
+            const found = [...document.querySelectorAll(`${one}, ${one} *`)].find(
+              (element) => element.checkVisibility() && element.clientHeight > 0,
+            );
+            return found?.clientHeight ?? 0;
+          };
+          const figure = document.querySelector('.figure')?.getBoundingClientRect();
+          const part = document.querySelector('.readings > section:not([hidden])');
+          const [robot, picture] = ['.plane', '#stage'].map(heightOf);
+          return (
+            (robot + picture > 0 || part?.checkVisibility()) &&
+            figure && { bottom: figure.bottom, plane: robot, isStaged: picture > 0 }
           );
-          return found?.clientHeight ?? 0;
-        };
-        const figure = document.querySelector('.figure')?.getBoundingClientRect();
-        const part = document.querySelector('.readings > section:not([hidden])');
-        const [robot, picture] = ['.plane', '#stage'].map(heightOf);
-        return (
-          (robot + picture > 0 || part?.checkVisibility()) &&
-          figure && { bottom: figure.bottom, plane: robot, isStaged: picture > 0 }
-        );
-      });
+        },
+        en.titles[name],
+      );
       assert.ok(bottom <= 900, `${name} ends at ${bottom}`);
       assert.ok(plane === 0 || plane >= 300, `${name}: ${plane}`);
       if (plane > 0) planes += 1;
