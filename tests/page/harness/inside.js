@@ -48,7 +48,8 @@ export function findOne(selector) {
   const [element] = elements;
   element.scrollIntoView({ block: 'nearest' });
   const [box] = element.getClientRects();
-  if (!box || element instanceof HTMLOptionElement) return { element };
+  // In a frame the keys that follow would go to the page around it.
+  if (!box || window !== top || element instanceof HTMLOptionElement) return { element };
   const [x, y] = [
     (Math.max(box.left, 0) + Math.min(box.right, innerWidth)) / 2,
     (Math.max(box.top, 0) + Math.min(box.bottom, innerHeight)) / 2,
