@@ -56,7 +56,7 @@ export function findOne(selector) {
   ].map(Math.floor);
   const isMet =
     element.contains(document.elementFromPoint(x, y)) &&
-    element.checkVisibility({ opacityProperty: true, visibilityProperty: true });
+    element.checkVisibility?.({ opacityProperty: true, visibilityProperty: true });
   return isMet ? { element, place: { x, y } } : { element };
 }
 

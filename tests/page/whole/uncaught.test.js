@@ -90,3 +90,14 @@ pageTest('a lab that cannot be made leaves the parts as they are', async (page) 
   // It was meant.
   page.uncaught = '';
 });
+
+pageTest('a click that would meet something else is an error of its test', async (page) => {
+  await page.open('#lab');
+  await page.evaluate(() => {
+    const cover = document.createElement('div');
+    Object.assign(cover.style, { position: 'fixed', inset: '0', zIndex: '1000' });
+    document.body.append(cover);
+  });
+  await assert.rejects(page.click('#one-generation'), /intercepted/);
+  assert.equal(await page.text('#generation'), '0');
+});
