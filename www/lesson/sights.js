@@ -9,11 +9,11 @@ import words from './words/index.js';
 /** @import { Choice } from '../kit/segmented.js' */
 /** @import { State } from '../run/state.js' */
 /** @import { Step } from './steps.js' */
-/** On a lower plane a drive cannot be followed. */
-const leastHeight = 200;
-
 /** @typedef {'robot' | 'stage' | 'part' | 'gains'} Sight */
 /** What stands under the plane. @typedef {'' | 'drive' | 'evolve' | 'plane' | 'part'} Figure */
+
+/** On a lower plane a drive cannot be followed. */
+const leastHeight = 200;
 
 /** @param {Step | undefined} step @param {Pick<State, 'page' | 'driver'>} state @returns {Figure} */
 export function figureOf(step, { page, driver }) {
@@ -83,8 +83,9 @@ export function createSights(fieldset) {
     look(sight) {
       wanted = sight;
       const plane = byId('plane');
-      // Who sees it already, as more than a strip, keeps what stands beside it.
-      const isThere = sight === 'robot' && isSeen(plane) && plane.clientHeight >= leastHeight;
+      // Who sees it already, under what the step is about or as more than a strip, keeps what stands beside it.
+      const isThere =
+        sight === 'robot' && isSeen(plane) && (chosen === 'stage' || plane.clientHeight >= leastHeight);
       if (isThere || !offered.includes(sight)) return;
       chosen = sight;
       draw();

@@ -3,17 +3,16 @@ import assert from 'node:assert/strict';
 import { pageTest } from '../harness/browsers.js';
 import { linkOfStep, stepNames } from '../../../www/lesson/path.js';
 
-/** By what is pressed. */
-const pressed = {
-  drive: '.quiz button:not(:disabled)',
-  task: 'a[href*="robustness"][href*="from="]',
-};
+const pressed = /** @type {const} */ ([
+  ['drive', '#quiz-bolder .choice'],
+  ['task', '[data-try="beside"]'],
+  ['task', '[data-try="withKy"]'],
+]);
 
 pageTest('on a telephone the drive that a question or a try is about comes into sight', async (page) => {
   await page.resize(390, 844);
-  for (const [name, selector] of Object.entries(pressed)) {
-    const number = stepNames.findIndex((step) => step === name) + 1;
-    await page.open(`#${linkOfStep(number)}`);
+  for (const [name, selector] of pressed) {
+    await page.open(`#${linkOfStep(stepNames.indexOf(name) + 1)}`);
     await page.evaluate((selector) => {
       /** @type {HTMLElement | null} */ (document.querySelector(selector))?.click();
     }, selector);
