@@ -130,7 +130,7 @@ function createQuestion({ name, quiz }, step, text, href, { store, actions, go, 
       const last = drawn;
       if (last) tryNow(() => settle(last, step, { store, actions }, true), store.redraw);
       if (quiz.shows) go(href(quiz.shows).slice(1));
-      if (quiz.sight) look(quiz.sight);
+      look(quiz.sight);
       quiz.begins?.(store);
       if (quiz.time !== undefined) actions.standAt(quiz.time);
       const answer = { choice, right: null, why: '' };

@@ -42,7 +42,7 @@ import './low.css';
 /** What a step holds, drawn at every change; it may have to end something when it is left. @typedef {{ element: HTMLElement, draw: (live: Live) => void, leave?: () => void }} Block */
 /** The same, or what never changes. @typedef {{ element: HTMLElement | TemplateResult, draw: (live: Live) => void }} Part */
 /** @import { Sight } from './sights.js' */
-/** @typedef {{ go: (link: string) => void, look: (sight: Sight) => void, store: Store, actions: Actions, engine: Engine }} Tools */
+/** @typedef {{ go: (link: string) => void, look: (sight?: Sight) => void, store: Store, actions: Actions, engine: Engine }} Tools */
 
 /** @param {Omit<Tools, 'look'> & { paper: PaperResult[] }} parts */
 export function createLessonPage({ engine, store, actions, paper, go }) {
@@ -135,7 +135,7 @@ function followLinks(article, { go, look, store, actions, engine }) {
       const pressed = block.kind === 'tries' && block.tries.find(([name]) => name === link.dataset.try);
       if (!pressed) continue;
       const [, , sight, time] = pressed;
-      if (sight) look(sight);
+      look(sight);
       if (time) actions.standAt(time(engine, store.get()));
       block.begins?.(store);
     }

@@ -79,9 +79,10 @@ export function createSights(fieldset) {
       show();
     },
 
-    /** Shows what a question is about, now and in what it opens. @param {Sight} sight */
+    /** Shows what a question is about, now and in what it opens; without it, what that opens with. @param {Sight} [sight] */
     look(sight) {
-      wanted = sight;
+      wanted = sight ?? null;
+      if (!sight) return;
       const plane = byId('plane');
       // Who sees it already, under what the step is about or as more than a strip, keeps what stands beside it.
       const isThere =

@@ -3,25 +3,50 @@ import assert from 'node:assert/strict';
 import { pageTest } from '../harness/browsers.js';
 import { linkOfStep, stepNames } from '../../../www/lesson/path.js';
 
-const pressed = /** @type {const} */ ([
-  ['drive', '#quiz-bolder .choice'],
-  ['task', '[data-try="beside"]'],
-  ['task', '[data-try="withKy"]'],
-]);
+/** @typedef {import('../../../www/lesson/path.js').StepName} StepName */
 
-pageTest('on a telephone the drive that a question or a try is about comes into sight', async (page) => {
-  await page.resize(390, 844);
-  for (const [name, selector] of pressed) {
-    await page.open(`#${linkOfStep(stepNames.indexOf(name) + 1)}`);
-    await page.evaluate((selector) => {
-      /** @type {HTMLElement | null} */ (document.querySelector(selector))?.click();
-    }, selector);
-    const height = await page.until(`${name} shows the robot`, () => {
-      const plane = document.getElementById('plane');
-      const isRobot = /** @type {HTMLInputElement | null} */ (document.getElementById('sights-robot'))
-        ?.checked;
-      return isRobot && plane?.checkVisibility() && plane.clientHeight;
-    });
-    assert.ok(height >= 300, `${name}: ${height}`);
-  }
-});
+/** @type {[step: StepName, pressed: [selector: string, sight: string][]][]} */
+const steps = [
+  ['drive', [['#quiz-bolder .choice:first-child', 'robot']]],
+  [
+    'task',
+    [
+      ['[data-try="beside"]', 'robot'],
+      ['[data-try="withKy"]', 'robot'],
+      ['[data-try="training"]', 'part'],
+    ],
+  ],
+];
+
+pageTest(
+  'on a telephone what a question or a try is about comes into sight, one after another',
+  async (page) => {
+    await page.resize(390, 844);
+    for (const [name, pressed] of steps) {
+      await page.open(`#${linkOfStep(stepNames.indexOf(name) + 1)}`);
+      for (const [selector, sight] of pressed) {
+        const link = await page.evaluate((selector) => {
+          const one = /** @type {HTMLElement} */ (document.querySelector(selector));
+          one.click();
+          return one.getAttribute('href') ?? '';
+        }, selector);
+        const part = link.match(/^#(\w+)/)?.[1] ?? '';
+        const height = await page.until(
+          `${selector} shows ${sight}`,
+          (sight, part) => {
+            const isThere = part === '' || document.body.dataset.open === part;
+            const seen = document.querySelector(
+              sight === 'robot' ? '#plane' : `section[data-page="${part}"]`,
+            );
+            return (
+              isThere && document.body.dataset.sight === sight && seen?.checkVisibility() && seen.clientHeight
+            );
+          },
+          sight,
+          part,
+        );
+        assert.ok(height >= 300, `${selector}: ${height}`);
+      }
+    }
+  },
+);

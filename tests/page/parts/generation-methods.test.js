@@ -9,7 +9,7 @@ import * as ko from '../../../www/parts/generation/words/ko.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { Evolution, experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
-import { follow } from '../whole/surround.js';
+import { followTo } from './generation-page.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../../../www/parts/generation/record.js').Anatomy} Anatomy */
@@ -156,11 +156,7 @@ test('the simplex that is drawn in the end is the one from which the next genera
 
 /** Follows a link to a generation of a method in one of its phases. @param {Page} page @param {string} method @param {number} generation @param {string} phase @param {string} [more] */
 async function openAt(page, method, generation, phase, more = '') {
-  await follow(
-    page,
-    `generation&v=1&generation=${generation}&evolution.method=${method}&phase=${phase}${more}`,
-  );
-  await page.until('it is shown', () => document.getElementById('generation-details')?.children.length);
+  await followTo(page, generation, `evolution.method=${method}&phase=${phase}${more}`);
 }
 
 /** @param {Page} page */

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { Key } from '../harness/browsers.js';
 import { Evolution, experiment } from '../harness/core.js';
+import { follow } from '../whole/surround.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
@@ -67,6 +68,18 @@ export async function openAt(page, generation) {
     'the generation',
     (g) => document.getElementById('generation-title')?.innerText.endsWith(` ${g}`),
     generation,
+  );
+}
+
+/** Follows a link to a generation of the part: what is far away comes in pieces. @param {Page} page @param {number} generation @param {string} more */
+export async function followTo(page, generation, more) {
+  await follow(page, `generation&v=1&generation=${generation}&${more}`);
+  await page.until(
+    'the generation',
+    (wanted) =>
+      document.getElementById('generation-title')?.textContent?.match(/\d+/)?.[0] === wanted &&
+      document.getElementById('generation-details')?.children.length,
+    String(generation),
   );
 }
 

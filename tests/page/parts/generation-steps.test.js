@@ -14,9 +14,9 @@ import { Key, pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { readEvolution, seedOne } from '../harness/reading.js';
 import { slowEngine } from '../harness/slow-engine.js';
-import { follow } from '../whole/surround.js';
 import {
   count,
+  followTo,
   go,
   nameOf,
   numbersIn,
@@ -254,7 +254,7 @@ const methods = /** @type {const} */ ([
 
 pageTest('every method of search is shown in the phases that it has', async (page) => {
   for (const [setting, own] of methods) {
-    await follow(page, `generation&v=1&generation=5&${setting}&phase=parents`);
+    await followTo(page, 5, `${setting}&phase=parents`);
     const there = await page.evaluate(() =>
       [
         .../** @type {NodeListOf<HTMLInputElement>} */ (

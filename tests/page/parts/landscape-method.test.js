@@ -176,7 +176,7 @@ for (const [method, text] of /** @type {const} */ ([
     assert.deepEqual(await page.problems(), []);
     await page.open('#landscape&v=1&generation=6');
     await page.until('the landscape of EP says what its own marks are', () =>
-      /^Line: the best .* Crosses: one σ/.test(
+      /^Crosses: robots ±σ\. Line: best so far/.test(
         document.getElementById('landscape-method')?.textContent ?? '',
       ),
     );

@@ -95,8 +95,12 @@ pageTest('Training waits for nothing after a cancel either', async (page) => {
   await allowWorkers(page);
   await page.click('#training-evolve');
   await page.click('#training-evolve');
-  const { place, text = '' } = samples.training.computed ?? {};
-  assert.doesNotMatch(await said(page, 'training', text, place), /blocked|the robots are driving …/);
+  const { computed } = samples.training;
+  assert.ok(computed);
+  assert.doesNotMatch(
+    await said(page, 'training', computed.text, computed.place),
+    /blocked|the robots are driving …/,
+  );
 });
 
 test('Robustness says no more that something failed once what it compares is there too', async () => {

@@ -79,20 +79,21 @@ pageTest('the pictures of training say from where a robot drives, and whether it
   );
 });
 
-/** What a part says in words of what drives. @type {[link: string, id: string][]} */
+/** What a part says in words of what drives, behind which choice. @type {[link: string, id: string, name: string][]} */
 const readouts = parts.flatMap(({ name }) => {
   const { readout } = samples[name];
-  return readout ? [[readout[0] ? `${name}&${readout[0]}` : name, readout[1]]] : [];
+  return readout ? [[readout[0] ? `${name}&${readout[0]}` : name, readout[1], name]] : [];
 });
 
 pageTest(
   'what evolution makes of a readout is said when it pauses, not generation by generation',
   async (page) => {
-    for (const [link, id] of readouts) {
-      await page.open(`#lab&v=1`);
+    for (const [link, id, name] of readouts) {
+      // What is behind a choice stays chosen.
+      await page.open(`#${link}`);
+      await page.click('#page-lab');
       await page.click('#run');
-      await page.click(`#page-${link.split('&')[0]}`);
-      if (link.includes('stability')) await page.click('#curves-view-stability');
+      await page.click(`#page-${name}`);
       const textOf = (/** @type {string} */ id) => document.getElementById(id)?.textContent?.trim() ?? '';
       const first = await page.until('it is there', textOf, id);
       await listen(page);

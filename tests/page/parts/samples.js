@@ -14,7 +14,7 @@ import { pageNames } from '../../../www/parts/parts.js';
  * @property {readonly string[]} [free] The controls that change nothing that an exercise could lock.
  * @property {Partial<Record<Group, readonly (readonly [view: string, selector: string])[]>>} [controls] Where a group that an exercise can hide has its controls in it: what a link says beside the part, and the controls. By hand, so that it does not know what the page believes to be its controls.
  * @property {readonly [picture: string, control: string]} [essentials] What of it stays in sight in a small figure, where it is not the first of each.
- * @property {Readonly<Record<string, string>>} [lasting] What of that no link carries and stays all the same when one is opened, with its reason.
+ * @property {Readonly<Record<string, string>>} [lasting] What of it no link carries, and stays when one is opened, with its reason.
  * @property {{ place: string, text: string }} [computed] Where and how it says that workers are done; without it, it asks for none when it is opened.
  * @property {readonly [view: string, id: string] | null} readout What of it says in words what drives; null: it has words of its own for that, and tests of its own, or none.
  * @property {readonly { setUp?: (page: Page) => Promise<unknown>, pictures: readonly Pictured[] }[]} pictures What it offers as files, after what.

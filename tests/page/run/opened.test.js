@@ -7,7 +7,7 @@ import { test } from '../harness/once.js';
 import { samples } from '../parts/samples.js';
 import { pageOf } from './page-of.js';
 
-test('what a part keeps is in the link, passes, or is named here with its reason', () => {
+test('what a part keeps is in the link, passes, or is named in its sample with its reason', () => {
   const { opened } = links.openLink('lab', pageOf('lab').engine);
   for (const slice of places.slices) {
     const before = Object.fromEntries(Object.keys(slice.first).map((field) => [field, `before ${field}`]));
@@ -26,7 +26,7 @@ test('what a part keeps is in the link, passes, or is named here with its reason
 const ofWindow = 'of the window';
 const ofReader = 'how somebody works, not what is shown';
 
-/** The same of the run; what parts keep is above, and what begins anew begins later. */
+/** The same of the run; what parts keep is in their samples, and what begins anew begins later. */
 const kept = {
   lastStep: 'where “Lesson” leads',
   pace: ofReader,

@@ -1,6 +1,6 @@
 // What Training keeps in the state.
 /** @import { Triple } from '../../core/engine.js' */
-/** @import { Evolved, RowName } from './request.js' */
+/** @import { Evolved, Result, RowName, Spec } from './request.js' */
 /** @import { Spread } from './spread.js' */
 import { createSlice } from '../../run/store.js';
 
