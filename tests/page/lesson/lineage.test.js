@@ -8,6 +8,7 @@ import { Evolution, experiment } from '../harness/core.js';
 import { opened } from './links.js';
 import { tryOf } from './live.js';
 import { test } from '../harness/once.js';
+import { follow } from '../whole/surround.js';
 
 const usual = experiment('velocity-limits');
 
@@ -193,4 +194,35 @@ pageTest('the bells of a family are of the distribution from which it was drawn'
       assert.ok(Math.abs(share - expected) < 0.01, `${step}, ${draw}: ${share}, not ${expected}`);
     }
   }
+});
+
+pageTest('the bells are drawn once it is known how wide they may be', async (page) => {
+  await page.open('#lab');
+  await page.evaluate(() => {
+    const { ResizeObserver } = window;
+    /** @type {(() => void)[]} */
+    const held = [];
+    /** Tells what it has seen once `tellSizes` is called. */
+    window.ResizeObserver = class extends ResizeObserver {
+      /** @param {ResizeObserverCallback} tell */
+      constructor(tell) {
+        super((...seen) => held.push(() => tell(...seen)));
+      }
+    };
+    const tellSizes = () => {
+      for (const tell of held.splice(0)) tell();
+    };
+    Object.assign(window, { tellSizes });
+  });
+  await follow(page, 'lesson&v=1&step=sigma');
+  await page.until('the step', () => document.getElementById('lineage'));
+  const early = await page.evaluate(async () => {
+    for (let i = 0; i < 30; i += 1) await pageFrames.settled();
+    return document.querySelectorAll('#lineage path').length;
+  });
+  assert.equal(early, 0);
+  await page.until('the bells', () => {
+    /** @type {any} */ (window).tellSizes();
+    return document.querySelectorAll('#lineage path').length > 30;
+  });
 });

@@ -91,7 +91,8 @@ export function createLineage(tools, { lineage: words }) {
     draw(/** @type {Live} */ { state: { experiment, history, generation } }) {
       const recordOf = recordsOf(history, generation, experiment);
       const wide = (sizeOf().width - aside) / 3;
-      if (!recordOf || !changed(history[generation], wide)) return;
+      // How wide it is comes a frame later.
+      if (!recordOf || wide <= 0 || !changed(history[generation], wide)) return;
       const newest = recordOf(generation);
       render(
         isOtherSearch(newest)
