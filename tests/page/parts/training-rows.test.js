@@ -85,10 +85,7 @@ pageTest('the row that comes furthest drives, until somebody chooses another', a
   const furthest = ['velocity-limits', 'acceleration-limits'].map((preset) => {
     const counts = countsOf(/** @type {any} */ (preset));
     const most = Math.max(...counts);
-    return {
-      rows: `training-${setNames[counts.indexOf(most)]}`,
-      title: `Never seen: ${most} of 1000 arrive`,
-    };
+    return { rows: `training-${setNames[counts.indexOf(most)]}`, title: `Never seen: ${most} of 1000` };
   });
   assert.notEqual(furthest[0].rows, furthest[1].rows);
   let finding = await page.text('#training-finding');

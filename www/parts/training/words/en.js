@@ -55,19 +55,17 @@ export const columnsOf = (unseen, own) => [
 
 /** @param {number} part @param {number} count */
 export const of = (part, count) => `${whole(part)} of ${whole(count)}`;
-/** @param {{ count: number, starts: { length: number } }} from */
-const arriving = ({ count, starts }) => `${of(count, starts.length)} ${count === 1 ? 'arrives' : 'arrive'}`;
-
 /** @param {RowName} name @param {Result | null} result @param {number} count */
 export function trainingTitle(name, result, count) {
   if (!result) return `${count === 1 ? 'The start' : `The ${count} starts`} to train on`;
   const all = result.training.starts.length;
-  return `${isEvolved(name) ? 'Trained on' : all === 1 ? 'From the start' : 'From the starts'}: ${arriving(result.training)}`;
+  const arrives = of(result.training.count, all);
+  return `${isEvolved(name) ? 'Trained on' : all === 1 ? 'From the start' : 'From the starts'}: ${arrives}`;
 }
 
 /** @param {Result | null} result @param {number} count */
 export const unseenTitle = (result, count) =>
-  result ? `Never seen: ${arriving(result.unseen)}` : `${whole(count)} starts never seen`;
+  result ? `Never seen: ${of(result.unseen.count, count)}` : `${whole(count)} starts never seen`;
 
 /** @param {string} title */
 export const pictureLabel = (title) =>

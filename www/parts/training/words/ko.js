@@ -53,13 +53,13 @@ export const of = (part, count) => `${grouped(part)} / ${grouped(count)}`;
 /** @param {RowName} name @param {Result | null} result @param {number} count */
 export function trainingTitle(name, result, count) {
   if (!result) return `학습할 출발점 ${count}개`;
-  const arrives = `${of(result.training.count, result.training.starts.length)} 도착`;
+  const arrives = of(result.training.count, result.training.starts.length);
   return isEvolved(name) ? `학습한 곳: ${arrives}` : `출발점: ${arrives}`;
 }
 
 /** @param {Result | null} result @param {number} count */
 export const unseenTitle = (result, count) =>
-  result ? `처음 보는 곳: ${of(result.unseen.count, count)} 도착` : `처음 보는 출발점 ${grouped(count)}개`;
+  result ? `처음 보는 곳: ${of(result.unseen.count, count)}` : `처음 보는 출발점 ${grouped(count)}개`;
 
 /** @param {string} title */
 export const pictureLabel = (title) =>
