@@ -159,7 +159,7 @@ export const opened = (name, generations, hasDrive) =>
 export const pictures = {
   plane: 'The plane',
   fitness: 'The fitness curve',
-  sigmas: 'The step sizes σ',
+  sigmas: 'The mean step sizes σ',
   step: 'The picture of this step',
 };
 

@@ -162,7 +162,7 @@ export const opened = (name, generations, hasDrive) =>
 export const pictures = {
   plane: '평면',
   fitness: '적합도 곡선',
-  sigmas: '변이 폭 σ',
+  sigmas: '평균 변이 폭 σ',
   step: '이 단계의 그림',
 };
 

@@ -28,7 +28,7 @@ export const sample = {
       setUp: (page) => page.click('#curve-choice label:last-of-type'),
       pictures: [
         plane,
-        { name: 'The step sizes σ', key: 'sigmas', texts: ['σ of', 'θ', 'generation'], lines: 4 },
+        { name: 'The mean step sizes σ', key: 'sigmas', texts: ['σ of', 'θ', 'generation'], lines: 4 },
       ],
     },
   ],
