@@ -87,7 +87,7 @@ export function openLink(link) {
   const { opened, refused } = readAll(given, first, (run, key, value) => {
     if (Object.hasOwn(keys, key)) return keys[key](run, value);
     if (!isField(key, run.experiment)) return kept(run, key, value);
-    return { ...run, experiment: completed(withField(run.experiment, pathOf(key), value)) };
+    return { ...run, experiment: completed(preset, withField(run.experiment, pathOf(key), value)) };
   });
   problems.push(...refused.map(([key, error]) => `${key}: ${/** @type {Error} */ (error).message}`));
   if (!isWhole) problems.push(words.longLink(mostCharacters, mostPairs));

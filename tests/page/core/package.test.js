@@ -7,7 +7,9 @@ import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
 import { top } from '../../../.tasks/run.mjs';
 import { openLink } from '../../../src/link.js';
+import { changesOf } from '../../../www/link/experiment.js';
 import { pageNames } from '../../../www/parts/parts.js';
+import { presets } from '../../../www/run/state.js';
 import { noStep, unknownPart } from '../../../www/words/en/link.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
 import { Evolution, evaluate, experiment, landscape, simulate, version, wasm } from '../harness/core.js';
@@ -173,6 +175,23 @@ test('openLink finds who works there where the page does, and passes on what an 
   const given = 'acceleration-limits~goal.x:3~seed:7';
   const { experiment: own, others, problems } = openLink(`lab&v=1&horizon=5&given=${given}`);
   assert.deepEqual([own, others.given, problems], [experiment({ horizon: 5 }), given, []]);
+});
+
+test('a spread copy of what openLink gives is completed from the preset of the link, whatever else that says', () => {
+  for (const preset of presets) {
+    const whole = experiment(preset);
+    const keys = changesOf(whole, /** @type {typeof whole} */ ({}));
+    assert.ok(keys.length > 30);
+    for (const [key, text] of [...keys, ['generation', '3'], ['gains', '3,0.1,5']]) {
+      const pairs = [`preset=${preset}`, `${key}=${text}`];
+      for (const link of [pairs, pairs.toReversed()].map((all) => `lab&v=1&${all.join('&')}`)) {
+        const { experiment: opened, problems } = openLink(link);
+        assert.deepEqual([opened, problems], [whole, []], link);
+        const limits = { ...whole.limits, speed: 1 };
+        assert.deepEqual(experiment({ ...opened, limits: { speed: 1 } }), { ...whole, limits }, link);
+      }
+    }
+  }
 });
 
 test('openLink says of a part, a driver, a version and a step what the page says', () => {
