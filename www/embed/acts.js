@@ -5,6 +5,7 @@
 /** @import { Parts } from './messages.js' */
 /** @import { Said, Type } from './told.js' */
 import { embed as words } from '../words/index.js';
+import { lastGeneration } from '../run/pace.js';
 import { preparedAs } from '../run/prepared.js';
 import { noTrial, spentOf } from '../run/state.js';
 import { pause } from '../kit/loop.js';
@@ -85,8 +86,13 @@ export function createActs({ engine, store, actions, links }, { announce, rememb
         const before = store.get().generation;
         actions.forward();
         await actions.whenIdle();
-        // Somebody has stopped what was computed.
-        if (store.get().generation === before) return isEnded() ? [] : [store.get().message];
+        if (store.get().generation === before) {
+          announce();
+          if (isEnded()) return [];
+          if (before === lastGeneration) throw new Error(store.get().message);
+          // Somebody has stopped what was computed.
+          return [store.get().message];
+        }
         if (performance.now() < end) continue;
         announce();
         await pause();

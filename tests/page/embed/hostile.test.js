@@ -1,11 +1,13 @@
 // Whoever speaks to a figure, and whatever is done with it: it answers or it refuses by name, nothing is thrown, and it goes on.
 import assert from 'node:assert/strict';
+import { links } from '../../../www/lesson/links.js';
 import { idIn, isForFigure, messageIn } from '../../../www/embed/told.js';
 import { engineTest, pageTest, patience } from '../harness/browsers.js';
-import { evolve, experiment, simulate } from '../harness/core.js';
+import { createEngine, evolve, experiment, simulate } from '../harness/core.js';
 import { ask, heardFrom, inHost } from '../harness/host.js';
 import { test } from '../harness/once.js';
 import { serve } from '../harness/server.js';
+import { figureOf } from './figure.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
@@ -91,6 +93,25 @@ test('what a figure may be told is looked at field by field, and what is wrong i
   // An id that cannot come back is left out.
   assert.deepEqual(idIn({ id: () => {} }), {});
   for (const id of [0, 'a', null, { of: [1] }]) assert.deepEqual(idIn({ id }), { id });
+});
+
+test('a figure comes as far as a link can say, and a step beyond is answered by why', async () => {
+  const run = 'lab&v=1&horizon=0.05&population=1';
+  const { messages, asked, said } = figureOf({ link: `${run}&generation=99998` });
+  await messages.ready();
+  for (const generations of [10, 1]) {
+    const { type, message } = await asked({ type: 'step', generations });
+    assert.equal(type, 'error');
+    assert.equal(message, 'generation must be a whole number from 0 to 100000, not 100001');
+    const { link, ...state } = await asked({ type: 'read' });
+    assert.deepEqual([state.generation, state.generations], [100_000, 100_000]);
+    // What it writes it reads again.
+    assert.equal(link, `${run}&generation=100000`);
+    assert.deepEqual(links.openLink(link, createEngine()).problems, []);
+    messageIn({ ep: 1, type: 'set', experiment: state.experiment, generation: state.generations });
+  }
+  const told = said.filter(({ type }) => type === 'generation').map(({ generation }) => generation);
+  assert.deepEqual(told.slice(-2), [99_999, 100_000]);
 });
 
 pageTest('hostile messages are refused one by one, and the figure goes on', async (page) => {

@@ -10,7 +10,7 @@ import { experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { pageOf } from './page-of.js';
 
-test('whatever it waits for, evolution pauses at the last generation that a link and a file can say', () => {
+test('whatever it waits for, evolution pauses at the last generation that a link and a file can say, after which none comes', () => {
   const statistics = /** @type {any} */ ({ generation: lastGeneration, best: { cost: 8 } });
   for (const until of /** @type {const} */ ([
     { kind: 'every', value: 100 },
@@ -19,6 +19,15 @@ test('whatever it waits for, evolution pauses at the last generation that a link
   ])) {
     assert.ok(pausesAt(until, statistics), until.kind);
     assert.ok(!pausesAt(until, { ...statistics, generation: lastGeneration - 1 }), until.kind);
+  }
+  const { store, actions } = pageOf('lab');
+  const history = Array(lastGeneration + 1).fill(store.get().history[0]);
+  for (const ask of [actions.oneGeneration, actions.toggleEvolution]) {
+    store.update({ history, generation: lastGeneration, message: '' });
+    ask();
+    actions.evolve(() => true);
+    assert.deepEqual([store.get().generation, store.get().evolving], [lastGeneration, false]);
+    assert.match(store.get().message, /^generation must be .* from 0 to 100000, not 100001$/);
   }
 });
 

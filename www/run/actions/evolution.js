@@ -2,7 +2,7 @@
 /** @import { State } from '../state.js' */
 /** @import { Until } from '../pace.js' */
 /** @import { Basis } from './basis.js' */
-import { lab as words } from '../../words/index.js';
+import { embed, lab as words } from '../../words/index.js';
 import { atEnd, fromStart } from '../clock.js';
 import { canStop, isFree } from '../guard.js';
 import { asked } from '../state.js';
@@ -41,7 +41,12 @@ function createGenerations({ engine, store, attempt, forget }) {
     attempt(
       () => {
         const generation = store.get().generation + 1;
-        if (generation === known.length) known.push(engine.step());
+        if (generation === known.length) {
+          // What has come further no link and no file could say.
+          if (generation > lastGeneration)
+            throw new Error(embed.wholeNumber('generation', 0, lastGeneration, String(generation)));
+          known.push(engine.step());
+        }
         const population = engine.population(generation);
         // What is wrong with a link stays in sight while its generation is still to come.
         const said = store.get().catchingUp ? null : { message: '' };
