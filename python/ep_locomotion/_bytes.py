@@ -5,7 +5,7 @@ import math
 import struct
 import sys
 from array import array
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence, Set
 from numbers import Real
 
 _NULL, _FALSE, _TRUE, _NUMBER, _TEXT, _COLUMN, _FLAGS, _LIST, _OBJECT, _OTHER, _WHOLE = (
@@ -16,6 +16,8 @@ _NULL, _FALSE, _TRUE, _NUMBER, _TEXT, _COLUMN, _FLAGS, _LIST, _OBJECT, _OTHER, _
 _DEEPEST = 60
 _POSTURE = ("x", "y", "theta")
 _GAINS = ("kx", "ky", "ktheta")
+#: What has no order of its own, or no numbers.
+_NO_ROW = (str, bytes, Mapping, Set)
 #: A million gain triples take 24 MB.
 _LARGEST = 1 << 26
 
@@ -44,10 +46,16 @@ def request(name, given):
     return asked
 
 
+class Encoded(bytes):
+    """A value that is in bytes already."""
+
+
 def encoded(value, depth=_DEEPEST):
     """A value in bytes. Arrays of numpy, series of pandas and the like count as the lists that they are."""
     if depth == 0:
         raise ValueError("what is given must be nested less deeply")
+    if isinstance(value, Encoded):
+        return value
     if getattr(value, "shape", None) == () and hasattr(value, "item"):
         # What is masked has no number, but an item.
         value = getattr(value, "tolist", value.item)()
@@ -77,7 +85,7 @@ def _listed(value):
 def _encoded_field(name, value, depth):
     if name == "starts":
         return _encoded_starts(value, depth)
-    return encoded(_in_order(value, _GAINS) if name == "gains" else value, depth)
+    return encoded(value, depth)
 
 
 def _encoded_starts(value, depth):
@@ -165,11 +173,11 @@ def encoded_gains(gains):
             data = numpy.ascontiguousarray(gains, "<f8").tobytes()
             answer = numpy.array if gains.ndim == 2 else _single
             return _counted(_COLUMN, gains.size, data), answer
-    if not isinstance(gains, Iterable) or isinstance(gains, (str, bytes, Mapping)):
+    if not isinstance(gains, Iterable) or isinstance(gains, _NO_ROW):
         raise ValueError(_wrong(f"of type {type(gains).__name__}"))
     rows = gains.tolist() if hasattr(gains, "tolist") else list(gains)
     rows = [row if isinstance(row, float) or _is_plain(row) else _listed(_in_order(row, _GAINS)) for row in rows]
-    if not any(_is_row(row) for row in rows) and not isinstance(next(iter(rows), None), Mapping):
+    if not any(_is_row(row) for row in rows) and not isinstance(next(iter(rows), None), (Mapping, Set)):
         if rows and len(rows) != 3:
             raise ValueError(_wrong(f"an array of {len(rows)}"))
         return _encoded_numbers(rows), _single if rows else list
@@ -185,7 +193,7 @@ def one_triple(gains):
     given, answer = encoded_gains(gains)
     numbers = decoded(given)
     if answer is not _single:
-        raise ValueError(f"gains must be three numbers (kx, ky, kθ), but was {len(numbers)} numbers")
+        raise ValueError(f"gains must be three numbers (kx, ky, kθ), but was {'rows of three' if numbers else 'empty'}")
     for name, number in zip(("kx", "ky", "kθ"), numbers):
         if not isinstance(number, float) or not math.isfinite(number):
             raise ValueError(f"{name} must be a finite number, but was {number!r}")
@@ -197,7 +205,7 @@ def _wrong(found):
 
 
 def _is_row(value):
-    return hasattr(value, "__len__") and not isinstance(value, (str, bytes, Mapping)) and getattr(value, "shape", None) != ()
+    return hasattr(value, "__len__") and not isinstance(value, _NO_ROW) and getattr(value, "shape", None) != ()
 
 
 def _single(numbers):
@@ -225,7 +233,7 @@ class _Reader:
             return struct.unpack("<d", self._take(8))[0]
         if tag in (_NULL, _FALSE, _TRUE):
             return {_NULL: None, _FALSE: False, _TRUE: True}[bytes(tag)]
-        if tag == _TEXT:
+        if tag in (_TEXT, _OTHER):
             return self._text()
         count = self._count()
         if tag == _WHOLE:

@@ -6,7 +6,7 @@ import functools
 from collections.abc import Mapping
 from typing import Any, Optional, Sequence, Union, overload
 
-from ._bytes import decoded, encoded, encoded_gains
+from ._bytes import Encoded, decoded, encoded, encoded_gains
 from ._core import Instance, ask
 from .types import (
     Array,
@@ -88,11 +88,11 @@ class Task:
 
     def landscape(self, landscape: Landscape) -> list[float]:
         """J over two gains, row by row: ``{"x": {"gain": "kx", "from": …, "to": …, "count": …}, "y": …, "gains": …}``."""
-        return self._call("landscape", encoded(with_ends(landscape)))
+        return self._call("landscape", encoded(_with_gains(landscape)))
 
     def robustness(self, grid: StartGrid) -> Robustness:
         """How a robot fares from many starts: ``{"gains": …, "x": {"from": …, "to": …, "count": …}, "y": …, "headings": …}``."""
-        return self._call("robustness", encoded(with_ends(grid)))
+        return self._call("robustness", encoded(_with_gains(grid)))
 
     def fares(self, gains: Triple) -> Robustness:
         """How one robot fares from each of the experiment's starts: J, t_f and whether it arrives."""
@@ -112,6 +112,14 @@ def with_ends(given):
     if not isinstance(given, Mapping):
         return given
     return {name: _ends(name, value) if name in _PARTS else value for name, value in given.items()}
+
+
+def _with_gains(given):
+    """The same, with gains as all else takes them that drives one robot."""
+    given = with_ends(given)
+    if not isinstance(given, Mapping) or "gains" not in given:
+        return given
+    return {**given, "gains": Encoded(encoded_gains(given["gains"])[0])}
 
 
 _PARTS = ("seeds", "rows", "part")

@@ -71,6 +71,10 @@ test('gains of every wrong shape are refused by name', options, () => {
     ['"abc"', /^gains must be three numbers .* but was of type str$/],
     ['5', /^gains must be three numbers .* but was of type int$/],
     ['None', /^gains must be three numbers .* but was of type NoneType$/],
+    // They would stand in any order.
+    ['{3, 0.1, 5}', /^gains must be three numbers .* but was of type set$/],
+    ['[frozenset([3, 0.1, 5])]', /^gains\[0\] must be three numbers .* but was of type frozenset$/],
+    ['[[3, 0.1, 5], {3, 0.1, 5}]', /^gains\[1\] must be three numbers .* but was of type set$/],
     ['{"kx": 1}', /^gains must be three numbers .* but was of type dict$/],
     ['[[1, 2, 3]] * 1_000_001', /^gains must be at most 3000000 numbers, but was 3000003 numbers$/],
     ['[[1, 2, 3]] * 3_000_000', /^what is given must be at most \d+ bytes/],
@@ -180,6 +184,20 @@ test('whatever else is wrong is refused, and nothing is lost by it', options, ()
       'ep.evaluate({"horizon": 1e5, "sampleTime": 1}, [[1, 2, 3]] * 5000)',
       'ValueError',
       /at most 4000 with 1 start and/,
+    ],
+    ...['robustness', 'landscape'].map(
+      (name) =>
+        /** @type {const} */ ([
+          `ep.Task({}).${name}({'gains': None})`,
+          'ValueError',
+          /^gains must be three numbers .* or rows of three, but was of type NoneType$/,
+        ]),
+    ),
+    ['ep.EpLocomotion(gains=[[1, 2, 3]])', 'ValueError', /^gains must be .*, but was rows of three$/],
+    [
+      'ep.EpLocomotion(gains=[1, 2, object()])',
+      'ValueError',
+      /^kθ must be a finite number, but was 'object'$/,
     ],
     ['ep.Evolution({}).step(0)', 'ValueError', /^generations must be a whole number from 1, but was 0$/],
     ['ep.Evolution({}).step(1.5)', 'ValueError', /^generations must be a whole number from 1, but was 1\.5$/],

@@ -33,7 +33,9 @@ test(
               `ep.evaluate({}, [${records}[0]])[0]`,
             ]
           : []),
-        `ep.Task({}).landscape({${axes}, 'gains': Series(ktheta=5, kx=3, ky=0.1)})[0]`,
+        ...['Series(ktheta=5, kx=3, ky=0.1)', '[[3, 0.1, 5]]', 'map(float, (3, 0.1, 5))'].map(
+          (gains) => `ep.Task({}).landscape({${axes}, 'gains': ${gains}})[0]`,
+        ),
       ].map((expression) => ({ expression })),
     );
     assert.deepEqual(costs, Array(costs.length).fill(cost));
