@@ -320,7 +320,7 @@ class GenerationRecord(TypedDict):
 
     #: The generation's number.
     generation: int
-    #: The survivors of the generation before.
+    #: The survivors of the generation before, best ranked first.
     parents: List[Individual]
     #: One offspring of each parent, in their order; of other methods than evolutionary programming, whatever was tried.
     offspring: List[Individual]
@@ -604,7 +604,7 @@ class ErrorParts(TypedDict):
     y: List[float]
     #: |sin θ_e|.
     theta: List[float]
-    #: How far the set of |y_e| reaches at this heading, (ε1 |sin θ_e| / ky)^⅓ in metres (7).
+    #: How far the set of |y_e| reaches at this heading, (ε1 |sin θ_e| / ky)^⅓ in metres (7). The theorem is about the law (5) alone.
     ySet: List[float]
 
 
@@ -614,6 +614,7 @@ class RemainingErrors(TypedDict):
     #: The largest in the last seconds; Infinity for a robot that left the finite numbers.
     error: PartsOfStarts
     #: How far the sets reach, ε1/kx (6), (ε1 |sin θ_e| / ky)^⅓ (7) and ε2/kθ (8); of (7) the farthest in the last seconds.
+    #: The theorem is about the law (5) alone.
     sets: PartsOfStarts
 
 

@@ -65,7 +65,7 @@ macro_rules! calls {
                 let make = move |start| Columns(study::error_parts(setting, &gains, start));
                 Each { count, make: Box::new(make) }
             }
-            "What remains of the error in the last `seconds` of a run from each start posture, beside the sets of Theorem 2."
+            "What remains of the error in the last `seconds` of a run from each start posture, beside the sets of Theorem 2. A robot that arrives stops there; where the tolerances are 0 it goes on to the horizon."
             remaining_errors "remainingErrors"(gains: "Gains", seconds: "number")
                 -> Columns<RemainingError> as "RemainingErrors"
             {

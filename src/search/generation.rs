@@ -52,7 +52,7 @@ told! {
     GenerationRecord: GenerationRecord {
         /// The generation's number.
         "generation" => |record| record.generation,
-        /// The survivors of the generation before.
+        /// The survivors of the generation before, best ranked first.
         "parents" => |record| &record.parents,
         /// One offspring of each parent, in their order; of other methods than evolutionary programming, whatever was tried.
         "offspring" => |record| &record.offspring,

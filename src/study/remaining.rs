@@ -27,7 +27,7 @@ told! {
         "y" => |run| run.column(|sample| sample.error.y),
         /// |sin θ_e|.
         "theta" => |run| run.column(|sample| sample.error.theta),
-        /// How far the set of |y_e| reaches at this heading, (ε1 |sin θ_e| / ky)^⅓ in metres (7).
+        /// How far the set of |y_e| reaches at this heading, (ε1 |sin θ_e| / ky)^⅓ in metres (7). The theorem is about the law (5) alone.
         "ySet" => |run| run.column(|sample| sample.sets.y),
     }
 }
@@ -90,6 +90,7 @@ told! {
         /// The largest in the last seconds; Infinity for a robot that left the finite numbers.
         "error" => |all| Columns(all.0.iter().map(|one| one.error).collect()),
         /// How far the sets reach, ε1/kx (6), (ε1 |sin θ_e| / ky)^⅓ (7) and ε2/kθ (8); of (7) the farthest in the last seconds.
+        /// The theorem is about the law (5) alone.
         "sets" => |all| Columns(all.0.iter().map(|one| one.sets).collect()),
     }
 }

@@ -275,7 +275,7 @@ export interface Statistics {
 export interface GenerationRecord {
   /** The generation's number. */
   generation: number;
-  /** The survivors of the generation before. */
+  /** The survivors of the generation before, best ranked first. */
   parents: Individual[];
   /** One offspring of each parent, in their order; of other methods than evolutionary programming, whatever was tried. */
   offspring: Individual[];
@@ -548,14 +548,17 @@ export interface ErrorParts {
   y: Float64Array;
   /** |sin θ_e|. */
   theta: Float64Array;
-  /** How far the set of |y_e| reaches at this heading, (ε1 |sin θ_e| / ky)^⅓ in metres (7). */
+  /** How far the set of |y_e| reaches at this heading, (ε1 |sin θ_e| / ky)^⅓ in metres (7). The theorem is about the law (5) alone. */
   ySet: Float64Array;
 }
 /** What remains of the error at the end of each run, beside the sets of Theorem 2. */
 export interface RemainingErrors {
   /** The largest in the last seconds; Infinity for a robot that left the finite numbers. */
   error: PartsOfStarts;
-  /** How far the sets reach, ε1/kx (6), (ε1 |sin θ_e| / ky)^⅓ (7) and ε2/kθ (8); of (7) the farthest in the last seconds. */
+  /**
+   * How far the sets reach, ε1/kx (6), (ε1 |sin θ_e| / ky)^⅓ (7) and ε2/kθ (8); of (7) the farthest in the last seconds.
+   * The theorem is about the law (5) alone.
+   */
   sets: PartsOfStarts;
 }
 /** |x_e cos θ_e| and |y_e| in metres, |sin θ_e|: one value for each start. */
