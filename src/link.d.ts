@@ -23,5 +23,5 @@ export interface LinkedRun {
   problems: string[];
 }
 
-/** The run of a link: a whole address, or what follows its #. The core must be ready. */
+/** The run of a link: a whole address with its #, or what follows that. The core must be ready. */
 export function openLink(link: string): LinkedRun;

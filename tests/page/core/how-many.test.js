@@ -1,4 +1,4 @@
-// How many of something there may be, as docs/javascript.md says it.
+// How many of something there may be, and which values an axis has, as docs/javascript.md says it.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import * as core from '../harness/core.js';
@@ -52,4 +52,22 @@ test('so many of something as the document says are taken, and one beyond is ref
       assert.doesNotThrow(() => ask(edge), sentence);
       assert.throws(() => ask(i === 0 ? edge - 1 : edge + 1), /must be/, sentence);
     }
+});
+
+test('a linear axis has the values that the document says, to the bit', () => {
+  assert.ok(text.includes('An axis of n values has `from * (1 - t) + to * t` with t = i / (n - 1) '));
+  const n = 31;
+  for (const [from, to] of [
+    [0.1, 10],
+    [7.3, 0.01],
+    [3, 3.7],
+  ]) {
+    const gains = Array.from({ length: n }, (_, i) => {
+      const t = i / (n - 1);
+      return [from * (1 - t) + to * t, 0.1, 5];
+    });
+    const x = { ...kx, from, to, count: n };
+    const y = { ...ky, from: 0.1, to: 0.1 };
+    assert.deepEqual(core.landscape({}, { x, y, gains: [0, 0, 5] }), core.evaluate({}, gains.flat()));
+  }
 });
