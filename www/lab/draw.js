@@ -10,7 +10,7 @@ import { onceAtMost, remember } from '../kit/memo.js';
 import { createView } from '../kit/transform.js';
 import { gainsOf, sliderRange } from '../run/drivers.js';
 import { shownExercise } from '../run/exercise.js';
-import { isReached, pausesAt } from '../run/pace.js';
+import { isReached, lastGeneration, pausesAt } from '../run/pace.js';
 import { asked, endsOf } from '../run/state.js';
 import { sigmas as sigmaWords, lab as strings } from '../words/index.js';
 import { linesOfLegend } from './notes.js';
@@ -191,7 +191,7 @@ function costNote(scene, { driver, population, generation, found }) {
 }
 
 /** @param {State} state */
-function evolutionNote({ history, generation, evolving, until, restart, experiment, population }) {
+export function evolutionNote({ history, generation, evolving, until, restart, experiment, population }) {
   const shown = history[generation];
   const { method, selection } = experiment.evolution;
   const isPapers = method === 'ep' && selection === 'tournament';
@@ -200,6 +200,7 @@ function evolutionNote({ history, generation, evolving, until, restart, experime
     return strings.recordedText(generation, history.length - 1);
   if (!evolving && until.kind === 'cost' && isReached(until, shown))
     return strings.reachedText(until.value, shown);
-  if (!evolving && pausesAt(until, shown)) return strings.restText(generation);
+  // After the last generation none comes.
+  if (!evolving && generation < lastGeneration && pausesAt(until, shown)) return strings.restText(generation);
   return strings.progressText(history[0], shown);
 }

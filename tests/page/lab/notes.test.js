@@ -1,9 +1,13 @@
 // What the pictures and the gains say to who cannot see them.
 import assert from 'node:assert/strict';
+import { evolutionNote } from '../../../www/lab/draw.js';
+import { lastGeneration } from '../../../www/run/pace.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { evolve, experiment, shown, simulate } from '../harness/core.js';
 import { hears } from '../harness/heard.js';
+import { test } from '../harness/once.js';
 import { arrival, read } from '../harness/reading.js';
+import { pageOf } from '../run/page-of.js';
 
 const velocityLimits = experiment('velocity-limits');
 
@@ -60,4 +64,18 @@ pageTest('what evolution pauses at is told, and how what was chosen drives', asy
   await hears(page, `^Generation 99: best J ${evolve(velocityLimits, 99).shown.cost}$`);
   await page.click('#drives-evolved');
   await hears(page, '^J [0-9.]+, arrives');
+});
+
+test('where evolution pauses Run is named, but not at the last generation', () => {
+  const state = pageOf('lab&generation=100').store.get();
+  const pausedAt = (/** @type {number} */ generation) => {
+    const history = Array(generation).fill(state.history[0]);
+    return evolutionNote({
+      ...state,
+      generation,
+      history: [...history, { ...state.history[100], generation }],
+    });
+  };
+  assert.match(pausedAt(lastGeneration - 100), /^Paused at generation 99900\. Press Run/);
+  assert.match(pausedAt(lastGeneration), /drives so far took the best J from/);
 });
