@@ -67,7 +67,10 @@ export function createShare(tools) {
     'table-sheet collect-sheet',
     texts.collectTitle,
     async (sheet) => {
-      const { createCollect } = await afterWords([loadCollect], () => import('./collect/dialog.js'));
+      const { createCollect } = await afterWords(
+        [loadCollect, loadHandIn],
+        () => import('./collect/dialog.js'),
+      );
       return createCollect({ ...tools, ...opening }, sheet);
     },
   );

@@ -3,9 +3,9 @@ import { exercise } from './hand-ins.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
-/** @param {Page} page */
-export async function openSheet(page) {
-  await page.open(`#${exercise}`);
+/** @param {Page} page @param {string} [link] */
+export async function openSheet(page, link = exercise) {
+  await page.open(`#${link}`);
   await page.click('#keep-button');
   await page.until('Share is there', () => document.getElementById('keep-collect'));
   await page.click('#keep-collect');

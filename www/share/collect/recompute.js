@@ -13,6 +13,7 @@ import { gainsOf } from '../../run/drivers.js';
 import { drawnFor } from '../../run/variant.js';
 import { measure, samplesToMeasure } from '../handin/measure.js';
 import { holds, isWhole, toldIn } from '../handin/receipt.js';
+import handIn from '../handin/words/index.js';
 import { unreachable } from '../../run/prepared.js';
 
 /** @typedef {{ engine: Engine, links: Links, paper: PaperResult[] }} Tools */
@@ -61,6 +62,7 @@ export async function recompute(tools, run, entry, given, { signal, turn }) {
     lacksDrives,
     lacksWho,
     judged: aim && mayJudge ? judged(aim, scale, { value: there.value, drives: made ?? 0 }) : null,
+    reached: aim && mayJudge && aim.wanted.kind !== 'cost' ? handIn.valueText(aim.wanted, there.value) : '',
     worth,
     told: told?.cost ?? null,
     differs: differencesOf(engine, run, given, asGiven),

@@ -4,7 +4,7 @@
 import { html, nothing, render } from 'lit-html';
 import { byId, create } from '../../kit/elements.js';
 import { watch } from '../../kit/memo.js';
-import { nameOf, ordered, remarksOf } from './table.js';
+import { judgedText, nameOf, ordered, remarksOf } from './table.js';
 import words from './words/index.js';
 
 const { texts } = words;
@@ -60,7 +60,7 @@ function saidOf({ checked }) {
   const { cost, judged } = checked;
   return [
     words.costText(words.numberText(cost)),
-    ...(judged ? [words.aimText(judged.isMet ? words.met : words.notMet)] : []),
+    ...(judged ? [words.aimText(judgedText(checked))] : []),
     ...(judged?.points == null ? [] : [words.pointsText(judged.points)]),
   ];
 }

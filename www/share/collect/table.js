@@ -110,6 +110,9 @@ function metText({ judged, worth }) {
   return judged ? (judged.isMet ? words.met : words.notMet) : '';
 }
 
+/** And how much of what is asked for, where J does not say it. @param {import('./check.js').Checked} checked */
+export const judgedText = (checked) => [metText(checked), checked.reached].filter(Boolean).join(', ');
+
 /** @param {number} index @param {readonly Row[]} rows @param {(row: Row) => boolean} isPinned @param {Events} on */
 function cellsOf(index, rows, isPinned, { open, pin }) {
   const row = rows[index];
@@ -125,7 +128,7 @@ function cellsOf(index, rows, isPinned, { open, pin }) {
     name,
     who && who !== name ? who : '',
     words.numberText(cost),
-    metText(checked),
+    judgedText(checked),
     judged?.points == null ? '' : String(judged.points),
     drives === null ? '' : words.drivesText(drives, isTold),
     remarks,
@@ -157,7 +160,11 @@ export function csvOf(rows, page) {
     name,
     ({ checked }) => checked && digits(checked.gains[i]),
   ]);
-  const { points, aim, drives, minutes, how, answers, remarks, link } = words.csvHead;
+  const { points, aim, drives, minutes, how, answers, remarks, link, reached } = words.csvHead;
+  // Where J says it all, the table is as it always was.
+  const hasReached = rows.some(({ checked }) => checked?.reached);
+  /** @type {CsvColumn} */
+  const reachedColumn = [reached, ({ checked }) => checked?.reached];
   /** @type {readonly CsvColumn[]} */
   const columns = [
     [words.columns.name, nameOf],
@@ -174,6 +181,7 @@ export function csvOf(rows, page) {
     [words.columns.who, ({ checked }) => checked?.who],
     // A link says the same with %3B.
     [link, ({ entry, checked }) => checked && entry.link && `${page}#${entry.link.replaceAll(';', '%3B')}`],
+    ...(hasReached ? [reachedColumn] : []),
   ];
   const fields = columns.map(([head]) => withoutFormula(head));
   const data = rows.map((row) => columns.map(([, cellOf]) => withoutFormula(String(cellOf(row) ?? ''))));

@@ -4,7 +4,7 @@
 // Its link is the run, with one key more: handin=version~J~parked/starts~drives~minutes~program~exercise~answers~digits.
 /** @import { Engine, PaperResult, Triple } from '../../core/engine.js' */
 /** @import { Links } from '../../link/link.js' */
-/** @import { Judged } from '../../run/aim.js' */
+/** @import { Judged, Wanted } from '../../run/aim.js' */
 /** @import { State } from '../../run/state.js' */
 /** @import { Measured } from './measure.js' */
 import { digitsOf } from '../../kit/hash.js';
@@ -22,7 +22,7 @@ import { ownOf } from './own.js';
 
 /** Answers to the lesson's questions: the number of the choice, and whether the page found it right. @typedef {Readonly<Record<string, { choice: number, right: number | null }>>} Answers */
 /** @typedef {{ cost: number, parked: number, starts: number, drives: number, minutes: number, program: string, exercise: string, answers: string }} Told What a receipt says; the result of it is what whoever opens it computes again. */
-/** @typedef {Told & { who: string, link: string, gains: Triple, how: { driver: State['driver'], method: string, seed: number, generation: number }, apart: readonly import('./own.js').Thing[], there: Measured, judged: Judged | null }} Receipt `there`: in the exercise as it was given, where it is judged; `apart`: what of the run is not as it has it. */
+/** @typedef {Told & { who: string, link: string, gains: Triple, how: { driver: State['driver'], method: string, seed: number, generation: number }, apart: readonly import('./own.js').Thing[], there: Measured, wanted: Wanted | null, judged: Judged | null }} Receipt `there`: in the exercise as it was given, where it is judged; `apart`: what of the run is not as it has it. */
 /** What of a state says what is done. @typedef {import('../../link/keys.js').Linked & Pick<State, 'population' | 'history' | 'work'>} Done */
 
 const version = '1';
@@ -109,6 +109,7 @@ export async function receiptOf({ engine, links, paper }, state, answers = {}) {
     how: { driver, method, seed, generation },
     apart,
     there,
+    wanted: exercise.aim?.wanted ?? null,
     judged: exercise.aim && judged(exercise.aim, exercise.scale, { value: there.value, drives: told.drives }),
   };
 }

@@ -161,4 +161,5 @@ export const csvHead = {
   answers: 'Answers',
   remarks: 'Remarks',
   link: 'Link',
+  reached: 'Reached',
 };

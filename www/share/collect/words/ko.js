@@ -159,4 +159,5 @@ export const csvHead = {
   answers: '답',
   remarks: '비고',
   link: '링크',
+  reached: '도달한 값',
 };

@@ -102,20 +102,21 @@ export const pointsText = (points, most) => `${points} of ${most} points`;
 /** The text of a receipt. @param {import('../receipt.js').Receipt} receipt */
 export function receiptText(receipt, address = receipt.link) {
   const { who, program, exercise, cost, parked, starts, drives, minutes, answers } = receipt;
-  const { apart, there, judged, gains, how } = receipt;
+  const { apart, there, wanted, judged, gains, how } = receipt;
   const found =
     how.driver === 'evolved'
       ? `, found by ${how.method === 'ep' ? 'EP' : how.method} with seed ${how.seed} in generation ${how.generation}`
       : how.driver === 'hand'
         ? ', by hand'
         : ', from the paper';
+  const reached = wanted && wanted.kind !== 'cost' ? `: ${valueText(wanted, there.value)}` : '';
   return [
     head(program, exercise),
     `Name: ${who}`,
     `${costLine(cost)}, parks from ${parked} of ${starts} ${starts === 1 ? 'start' : 'starts'}`,
     ...(judged
       ? [
-          `Aim ${metWord(judged.isMet)}${judged.points === null ? '' : `, ${judged.points} of ${judged.most} points`}`,
+          `Aim ${metWord(judged.isMet)}${reached}${judged.points === null ? '' : `, ${judged.points} of ${judged.most} points`}`,
         ]
       : []),
     ...(apart.length > 0

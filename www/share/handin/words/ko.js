@@ -101,20 +101,21 @@ export const pointsText = (points, most) => `${most}점 만점에 ${points}점`;
 /** The text of a receipt. @param {import('../receipt.js').Receipt} receipt */
 export function receiptText(receipt, address = receipt.link) {
   const { who, program, exercise, cost, parked, starts, drives, minutes, answers } = receipt;
-  const { apart, there, judged, gains, how } = receipt;
+  const { apart, there, wanted, judged, gains, how } = receipt;
   const found =
     how.driver === 'evolved'
       ? `, ${how.method === 'ep' ? 'EP' : how.method}, 시드 ${how.seed}, ${how.generation}세대`
       : how.driver === 'hand'
         ? ', 직접 찾음'
         : ', 논문의 이득';
+  const reached = wanted && wanted.kind !== 'cost' ? `: ${valueText(wanted, there.value)}` : '';
   return [
     head(program, exercise),
     `이름: ${who}`,
     `${costLine(cost)}, 출발점 ${starts}개 중 ${parked}개에서 주차`,
     ...(judged
       ? [
-          `기준 ${metWord(judged.isMet)}${judged.points === null ? '' : `, ${judged.most}점 만점에 ${judged.points}점`}`,
+          `기준 ${metWord(judged.isMet)}${reached}${judged.points === null ? '' : `, ${judged.most}점 만점에 ${judged.points}점`}`,
         ]
       : []),
     ...(apart.length > 0
