@@ -209,6 +209,8 @@ engineTest('from the one file on a disk the figure is shown, and the package wri
       await page.until('it can be handed in', () => document.getElementById('hand-in'));
     });
     assert.match(await page.text('#maker-disk'), /students need the file too/);
+    const made = () => /** @type {HTMLInputElement} */ (document.getElementById('maker-link')).value;
+    assert.match(await page.evaluate(made), /^ep-locomotion\.html#lab&v=1&drives=hand.*&task=Park/);
     await page.click('#maker-scorm');
     await page.until('it asks for its own file', () => document.getElementById('maker-scorm-file'));
     await (await page.element('#maker-scorm-file')).sendKeys(file);

@@ -31,7 +31,7 @@ import { nothingDone } from '../../run/state.js';
 import { nobody, undrawn } from '../../run/variant.js';
 import { createPanel } from '../../settings/panel.js';
 import { exercise as exerciseWords, lab } from '../../words/index.js';
-import { frameOf, isOnDisk } from '../frame-text.js';
+import { frameOf, handedAddress, isOnDisk } from '../frame-text.js';
 import { createAimFields } from './aim-fields.js';
 import { createEasy } from './easy.js';
 import { createPreview } from './preview.js';
@@ -111,7 +111,7 @@ export function createMaker({ engine, store, actions, links, paper }) {
       const easy = easyOf(state, draft);
       if (changed(state.exercise, draft, link, status, ...asked(), isRefused, easy)) {
         const addresses = {
-          link: addressOf(location.href, link, false),
+          link: handedAddress(link),
           frame: frameOf(state, link, preview.chosen() ?? undefined),
         };
         render(
