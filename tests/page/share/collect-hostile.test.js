@@ -94,6 +94,7 @@ test('no cell is a formula, also for who divides at semicolons, tabs or line end
     checked: { ...checked, who: cell, answers: cell },
     problem: /** @type {const} */ (''),
     same: [],
+    ones: [],
   }));
   const file = csvOf(rows, site).replace('\ufeff', '');
   for (const delimiter of [',', ';', '\t']) {

@@ -48,15 +48,33 @@ test('how much of the aim was reached stands beside whether it is met, but for J
   }
 });
 
-pageTest('how much of the aim was reached stands beside a run that was handed in', async (page) => {
-  const { text } = await handedIn('s1', [3, 0.1, 6], parks);
-  await openSheet(page, parks);
-  await paste(page, text);
-  await page.click('#collect-check');
-  await checked(page, 1);
-  const [[, , , , , met]] = await cells(page);
-  assert.match(String(met), /^not met, \d+ of 32$/);
-  await page.click('[data-open="0"]');
-  await stripSays(page, new RegExp(`· aim ${met} · [\\d.]+ points`));
-  assert.deepEqual(await page.problems(), []);
-});
+pageTest(
+  'how much of the aim was reached stands beside a run, and the file has the exercise’s name',
+  async (page) => {
+    const { text, exercise: id } = await handedIn('s1', [3, 0.1, 6], parks);
+    await openSheet(page, parks);
+    await paste(page, text);
+    // Who gave the exercise as a frame has only its line.
+    await page.evaluate((line) => {
+      /** @type {HTMLInputElement} */ (document.getElementById('collect-exercise')).value = line;
+    }, `<iframe src="${site}?embed#${parks}" title="x" width="640" height="420"></iframe>`);
+    await page.click('#collect-check');
+    await checked(page, 1);
+    const [[, , , , , met]] = await cells(page);
+    assert.match(String(met), /^not met, \d+ of 32$/);
+    const name = await page.evaluate(() => {
+      let saved = '';
+      const { click } = HTMLAnchorElement.prototype;
+      HTMLAnchorElement.prototype.click = function () {
+        saved = this.download;
+      };
+      document.getElementById('collect-csv')?.click();
+      HTMLAnchorElement.prototype.click = click;
+      return saved;
+    });
+    assert.equal(name, `hand-ins-${id}.csv`);
+    await page.click('[data-open="0"]');
+    await stripSays(page, new RegExp(`· aim ${met} · [\\d.]+ points`));
+    assert.deepEqual(await page.problems(), []);
+  },
+);

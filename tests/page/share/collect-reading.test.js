@@ -178,7 +178,7 @@ test('no name turns around what stands beside it, and no cell falls apart, where
   ];
   const [entry] = await reader.read(Papa.unparse(given));
   assert.equal(entry.name, 'Leeeel 12');
-  const row = { entry, checked: null, problem: /** @type {const} */ ('none'), same: [] };
+  const row = { entry, checked: null, problem: /** @type {const} */ ('none'), same: [], ones: [] };
   const other = { ...row, entry: { ...entry, ident: {} } };
   const file = csvOf([row, other], site);
   assert.match(file, /,"a;'-2\+3",/);
@@ -198,7 +198,7 @@ test('a column of the platform is no formula, and there are not too many', async
     ]),
   );
   assert.equal(Object.keys(entry.ident).length, 20);
-  const row = { entry, checked: null, problem: /** @type {const} */ ('none'), same: [] };
+  const row = { entry, checked: null, problem: /** @type {const} */ ('none'), same: [], ones: [] };
   const [head, first] = Papa.parse(csvOf([row], site).replace('\ufeff', '')).data;
   assert.deepEqual(
     [/** @type {string[]} */ (head)[1], /** @type {string[]} */ (first)[1]],

@@ -2,8 +2,9 @@
 import assert from 'node:assert/strict';
 import Papa from 'papaparse';
 import { links } from '../../../www/lesson/links.js';
-import { createReader, nameOfFile } from '../../../www/share/collect/entries.js';
+import { createReader } from '../../../www/share/collect/entries.js';
 import { readAll } from '../../../www/share/collect/files.js';
+import { nameOfFile } from '../../../www/share/collect/owners.js';
 import { pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { saved } from '../harness/saved.js';

@@ -6,6 +6,11 @@ import { exercise } from './hand-ins.js';
 /** @param {Page} page @param {string} [link] */
 export async function openSheet(page, link = exercise) {
   await page.open(`#${link}`);
+  await openCollect(page);
+}
+
+/** @param {Page} page With a page that is ready. */
+export async function openCollect(page) {
   await page.click('#keep-button');
   await page.until('Share is there', () => document.getElementById('keep-collect'));
   await page.click('#keep-collect');

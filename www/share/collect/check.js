@@ -15,7 +15,7 @@ import words from './words/index.js';
 /** An exercise: the run with which it was given, what of that nobody could choose, its link and its digits. @typedef {{ run: Linked, base: Experiment, prepared: Prepared, link: string, id: string }} Given */
 /** What a receipt is: whole and true; its result is another; it was cut or changed; made by another program; or there is none. @typedef {'holds' | 'otherResult' | 'broken' | 'otherProgram' | 'none'} Worth */
 /** What came of one hand-in: `cost` in the exercise as it was given, `own` in what was handed in; `drives` null: nobody has told; `lacksDrives`: so the budget of drives cannot be judged; `lacksWho`: nothing was drawn; `reached`: what the aim wants, measured, where it is not J. @typedef {{ who: string, run: Linked, gains: Triple, how: string, cost: number, own: number, drives: number | null, minutes: number | null, isTold: boolean, lacksDrives: boolean, lacksWho: boolean, judged: Judged | null, reached: string, worth: Worth, told: number | null, differs: readonly string[], answers: string }} Checked */
-/** `problem`: why it could not be read, in words or one of these; `same`: the rows of this very answer, itself among them. @typedef {{ entry: Entry, checked: Checked | null, problem: '' | 'none' | 'long' | 'more' | 'heavy' | { said: string }, same: readonly number[] }} Row */
+/** `problem`: why it could not be read, in words or one of these; `same`: the rows of this very answer, `ones`: those of this student, itself among them. @typedef {{ entry: Entry, checked: Checked | null, problem: '' | 'none' | 'long' | 'more' | 'bytes' | 'heavy' | { said: string }, same: readonly number[], ones: readonly number[] }} Row */
 
 /** Links are read on the page's own thread, so many milliseconds in a row. */
 const slice = 12;
@@ -72,7 +72,7 @@ export function createChecker(engine, links) {
       /** @param {Entry} entry @param {number} i @returns {Promise<Row>} */
       const rowOf = async (entry, i) => {
         const run = runs[i];
-        const row = { entry, checked: null, same: [] };
+        const row = { entry, checked: null, same: [], ones: [] };
         if (typeof run === 'string') return { ...row, problem: { said: run } };
         if (run === null || !given) return { ...row, problem: entry.why ?? 'none' };
         if (isHeavy(engine, run, given)) return { ...row, problem: 'heavy' };
@@ -139,16 +139,24 @@ async function givenTo(tools, entries, runs, asked) {
 const whoseOf = ({ name, ident, isOnes }, { student }, index) =>
   JSON.stringify([name, ident, isOnes || student.who || index]);
 
-/** Who has the very same answer as whom: one list for all of an answer. @param {Row[]} rows @returns {Row[]} */
+/** Who has the very same answer as whom, and who handed in what else: one list for all of an answer, or of a student. @param {Row[]} rows @returns {Row[]} */
 function withTwins(rows) {
   /** @type {Map<string, number[]>} */
-  const byAnswer = new Map();
+  const lists = new Map();
+  const listOf = (/** @type {string} */ key, /** @type {number} */ i) => {
+    const list = lists.get(key) ?? [];
+    lists.set(key, list);
+    list.push(i);
+    return list;
+  };
   return rows.map((row, i) => {
-    if (!row.checked) return row;
-    const key = `${row.checked.gains} ${row.checked.how}`;
-    const same = byAnswer.get(key) ?? [];
-    byAnswer.set(key, same);
-    same.push(i);
-    return { ...row, same };
+    const { entry, checked } = row;
+    if (!checked) return row;
+    return {
+      ...row,
+      same: listOf(`${checked.gains} ${checked.how}`, i),
+      // Whose it is by what is typed in it, anybody may say.
+      ones: entry.isOnes ? listOf(whoseOf(entry, checked.run, i), i) : [i],
+    };
   });
 }

@@ -23,7 +23,7 @@ export function createChecking({ engine, links }, viewNow, update) {
   /** The exercise that is asked for, if one is. */
   const asked = () => {
     const link = field('collect-exercise').trim();
-    return link === '' ? null : checker.exerciseIn(link);
+    return link === '' ? null : checker.exerciseIn(reader.exerciseIn(link));
   };
 
   /** @param {Given | null} exercise @param {AbortSignal} signal */

@@ -1,11 +1,13 @@
 // What was handed in, found in whatever a learning platform gives: tables, online texts with their HTML, files, links. Nothing is
 // believed here, and nothing of it becomes markup.
+/** @import { Whose } from './owners.js' */
 import { createTurns } from '../../kit/loop.js';
 import { tidyText } from '../../kit/text.js';
 import { mark } from '../handin/mark.js';
 import { fromRow, partsOf, tableIn } from './columns.js';
+import { isTable, ownerOf, ownersOfFiles } from './owners.js';
 
-/** One hand-in: who it is from as the platform says, how the platform knows them (column by column), a beginning of the text, and its link, or why there is none. @typedef {{ name: string, ident: Readonly<Record<string, string>>, text: string, link: string | null, why: 'none' | 'long' | 'more' | null, isReceipt: boolean, isOnes: boolean }} Entry `isReceipt`: it says that it is one; `isOnes`: it stands in a file of this student's, or in a row with this name. */
+/** One hand-in: who it is from as the platform says, how the platform knows them (column by column), a beginning of the text, and its link, or why there is none. @typedef {{ name: string, ident: Readonly<Record<string, string>>, text: string, link: string | null, why: 'none' | 'long' | 'more' | 'bytes' | null, isReceipt: boolean, isOnes: boolean }} Entry `isReceipt`: it says that it is one; `isOnes`: it stands in a file of this student's, or in a row with this name. */
 
 /** In characters. */
 export const mostOfAll = 12_000_000;
@@ -62,6 +64,9 @@ const hrefIn = (tag) => /\bhref=["']([^"'<>]*)["']/i.exec(tag)?.[1] ?? '';
 
 /** @param {string} text @param {string} what */
 const countOf = (text, what) => text.split(what).length - 1;
+
+/** A document, a zip or a picture: its bytes say nothing. @param {string} text */
+const isNoText = (text) => text.startsWith('PK\x03\x04') || /^(?:%PDF-|[^ -~]PNG\r\n)/.test(text);
 
 /** @param {string} text */
 const beginning = (text) => tidyText(text).slice(0, 80);
@@ -132,18 +137,22 @@ function createFinder(pages) {
     );
   }
 
-  return { linksIn, linkIn, hasLink, holdsSeveral };
+  /** That of an exercise in a frame's line, or before what ends a sentence; what is typed otherwise may hold what no link of the page has. @param {string} asked */
+  function exerciseIn(asked) {
+    const link = linkIn(asked);
+    if (link === null) return asked;
+    const [, ...behind] = asked.split(link);
+    const isAlone = behind.length > 0 && /^[^\w%]*$/.test(behind.join());
+    return isAlone || asked.startsWith('<') ? link : asked;
+  }
+
+  return { linksIn, linkIn, hasLink, holdsSeveral, exerciseIn };
 }
 
-/** @param {readonly Entry[]} entries */
-const asOnes = (entries) => entries.map((entry) => ({ ...entry, isOnes: true }));
-
-/** @param {readonly string[]} pages */
-export function createReader(pages) {
-  const { linksIn, linkIn, hasLink, holdsSeveral } = createFinder(pages);
-
+/** @param {(text: string) => string | null} linkIn */
+function createEntries(linkIn) {
   /** @param {string} text @param {string} name @param {Entry['ident']} [ident] @returns {Entry} */
-  function entryOf(text, name, ident = {}) {
+  return (text, name, ident = {}) => {
     const said = beginning(saidIn(text.slice(0, 2000)));
     const about = {
       name: tidyText(name).slice(0, mostOfName),
@@ -152,11 +161,27 @@ export function createReader(pages) {
       isReceipt: text.includes(mark),
       isOnes: false,
     };
-    if (text.length > mostOfOne) return { ...about, link: null, why: 'long' };
+    /** @param {Entry['why']} why @returns {Entry} */
+    const without = (why) => ({
+      ...about,
+      link: null,
+      ...(isNoText(text) ? { text: '', why: 'bytes' } : { why }),
+    });
+    if (text.length > mostOfOne) return without('long');
     const link = linkIn(text);
-    if (link === null) return { ...about, link, why: 'none' };
-    return link.length > mostOfLink ? { ...about, link: null, why: 'long' } : { ...about, link, why: null };
-  }
+    if (link === null) return without('none');
+    return link.length > mostOfLink ? without('long') : { ...about, link, why: null };
+  };
+}
+
+/** @param {readonly Entry[]} entries @param {Entry['ident']} ident */
+const asOnes = (entries, ident) => entries.map((entry) => ({ ...entry, ident, isOnes: true }));
+
+/** @param {readonly string[]} pages */
+export function createReader(pages) {
+  const { linksIn, linkIn, hasLink, holdsSeveral, exerciseIn } = createFinder(pages);
+
+  const entryOf = createEntries(linkIn);
 
   /** Lines, of which each is a hand-in but for those of a receipt, which ends with its link. @param {string} text @param {string} name @param {boolean} [isStudents] @returns {Promise<Entry[]>} */
   async function fromLines(text, name, isStudents = false) {
@@ -195,6 +220,8 @@ export function createReader(pages) {
   }
 
   return {
+    exerciseIn,
+
     /** @param {string} text @returns {Promise<Entry[]>} */
     async read(text) {
       const table = tableIn(text, hasLink);
@@ -209,10 +236,13 @@ export function createReader(pages) {
       return entries;
     },
 
-    /** A file is one hand-in, unless it is a table or holds several; who those are from, its name says only where they are one student's. @param {string} path @param {string} text @param {{ name: string, isStudents: boolean }} [whose] @returns {Promise<Entry[]>} */
-    async readFile(path, text, { name, isStudents } = ownersOfFiles([path])[0]) {
+    /** A file is one hand-in, unless it is a table or holds several; who those are from, its name says only where they are one student's. @param {string} path @param {string} text @param {Whose} [whose] @returns {Promise<Entry[]>} */
+    async readFile(path, text, { name, ident, isStudents } = ownersOfFiles([path])[0]) {
       if (isStudents)
-        return asOnes(countOf(text, mark) > 1 ? await fromLines(text, name, true) : [entryOf(text, name)]);
+        return asOnes(
+          countOf(text, mark) > 1 ? await fromLines(text, name, true) : [entryOf(text, name)],
+          ident,
+        );
       if (!isTable(path) && !holdsSeveral(text)) return [entryOf(text, name)];
       const entries = await this.read(text);
       const whos = new Set(entries.map(({ link }) => link && whoIn(link)).filter(Boolean));
@@ -220,8 +250,8 @@ export function createReader(pages) {
       return entries.map((entry) => ({ ...entry, name: entry.name || (isOnes ? name : '') }));
     },
 
-    /** @param {string} name @returns {Entry} */
-    tooLong: (name) => ({ ...unread, name, why: 'long' }),
+    /** @param {Pick<Whose, 'name' | 'ident'>} whose @returns {Entry} */
+    tooLong: ({ name, ident }) => ({ ...unread, name, ident, why: 'long' }),
   };
 }
 
@@ -236,36 +266,3 @@ function nameBefore(line) {
     .replace(/[\s,;:|"'<(–—-]+$/, '');
   return /[\p{L}\d]/u.test(name) ? name : '';
 }
-
-/** Whose it is in anonymous submissions of Moodle: nobody's name. */
-const anybody = /^(?:participant|참가자|참여자)$/i;
-
-/** Moodle names folders and files of submissions `Name_12345_assignsubmission_…`, Canvas `name_12345_67890_file`, and what was typed there `name_12345_text`: the first number is the student's. @param {string} path */
-function ownerOf(path) {
-  const parts = path.split('/');
-  const moodle = parts.map((part) => /^(.+?)_(\d+)_assignsubmission_/.exec(part)).find(Boolean);
-  const file = parts[parts.length - 1].replace(/\.\w+$/, '');
-  const canvas = /^(\D+?|[^_]*\p{L}[^_]*)_(?:LATE_)?(\d+)_(?:\d+_|(?:text|link)$)/u.exec(file);
-  const [, name, number] = moodle ?? canvas ?? ['', file, ''];
-  return { name, number, isMoodle: Boolean(moodle) };
-}
-
-/** @param {string} path */
-export const isTable = (path) => /\.(?:csv|tsv)$/i.test(path);
-
-/** Who handed in each of these files, and whether it is that student's alone, whatever stands in it. What is no name, or that of several, has the number beside it. @param {readonly string[]} paths */
-export function ownersOfFiles(paths) {
-  const owners = paths.map(ownerOf);
-  /** @type {Map<string, Set<string>>} */
-  const numbers = new Map();
-  for (const { name, number } of owners) numbers.set(name, (numbers.get(name) ?? new Set()).add(number));
-  // Where all are tables, such as class_2026_11_all.csv, they are the lecturer's own.
-  const isClass = owners.some(({ number }, i) => number !== '' && !isTable(paths[i]));
-  return owners.map(({ name, number, isMoodle }) => ({
-    name: anybody.test(name) || (numbers.get(name)?.size ?? 0) > 1 ? `${name} ${number}`.trim() : name,
-    isStudents: number !== '' && (isMoodle || isClass),
-  }));
-}
-
-/** @param {string} path */
-export const nameOfFile = (path) => ownersOfFiles([path])[0].name;

@@ -1,6 +1,7 @@
 // Files and folders as they are dropped or chosen, read as text.
 /** @import { Entry } from './entries.js' */
-import { isTable, mostEntries, ownersOfFiles } from './entries.js';
+import { mostEntries } from './entries.js';
+import { isTable, ownersOfFiles } from './owners.js';
 
 /** In bytes: a hand-in is a few hundred characters, the table of a whole course some megabytes. */
 const mostOfFile = 2_000_000;
@@ -77,11 +78,11 @@ export async function readAll(files, reader) {
   for (const [i, whose] of ownersOfFiles(paths).entries()) {
     if (entries.length >= mostEntries) {
       // Of what is not checked, a file counts as one.
-      entries.push(reader.tooLong(whose.name));
+      entries.push(reader.tooLong(whose));
       continue;
     }
     const most = isTable(paths[i]) && !whose.isStudents ? mostOfTable : mostOfFile;
-    if (files[i].size > most) entries.push(reader.tooLong(whose.name));
+    if (files[i].size > most) entries.push(reader.tooLong(whose));
     else
       for (const entry of await reader.readFile(paths[i], await textOf(files[i]), whose)) entries.push(entry);
   }

@@ -6,10 +6,10 @@
 /** @import { Column } from './words/common.js' */
 import { download } from '../../kit/download.js';
 import { byId } from '../../kit/elements.js';
-import { addressOf } from '../../kit/host.js';
 import { noExercise } from '../../run/exercise.js';
 import { isFull, pinOf, styles } from '../../run/pins.js';
 import { nobody } from '../../run/variant.js';
+import { handedAddress } from '../frame-text.js';
 import { csvName, csvOf, mostRows, nameOf, ordered } from './table.js';
 import words from './words/index.js';
 
@@ -70,8 +70,8 @@ export function createRowEvents({ store, actions, open, keepPlace }, sheet, view
     },
 
     save() {
-      const address = addressOf(location.href, '', false).replace(/#$/, '');
-      download(csvName, 'text/csv', csvOf(viewNow().rows, address));
+      const { rows, given } = viewNow();
+      download(csvName(given), 'text/csv', csvOf(rows, handedAddress('')));
     },
   };
 }

@@ -27,7 +27,7 @@ const columns = /** @type {const} */ ([
 /** Rows at once: more would take long to lay out. */
 export const mostRows = 100;
 
-/** So many of one answer are named. */
+/** So many of one answer, or of one student, are named. */
 const mostTwins = 3;
 
 /** By these nothing is sorted. @type {readonly Column[]} */
@@ -38,11 +38,16 @@ export const nameOf = ({ entry, checked }) => entry.name || checked?.who || '';
 
 /** What a lecturer has to look at. @param {Row} row @param {readonly Row[]} rows In the order in which they came. */
 export function remarksOf(row, rows) {
-  const { entry, checked, problem, same } = row;
+  const { entry, checked, problem, same, ones } = row;
   if (!checked) return [words.problemText(entry.text, problem, mostOfStudent)];
   const { worth, told, lacksWho, lacksDrives, differs, cost, own } = checked;
-  const others = same.slice(0, mostTwins + 1).filter((i) => rows[i] !== row);
-  const twins = others.slice(0, mostTwins).map((i) => ({ number: i + 1, name: nameOf(rows[i]) }));
+  const othersOf = (/** @type {readonly number[]} */ all) =>
+    all
+      .slice(0, mostTwins + 1)
+      .filter((i) => rows[i] !== row)
+      .slice(0, mostTwins);
+  const also = othersOf(ones).map((i) => i + 1);
+  const twins = othersOf(same).map((i) => ({ number: i + 1, name: nameOf(rows[i]) }));
   return [
     ...(worth === 'holds'
       ? []
@@ -52,6 +57,7 @@ export function remarksOf(row, rows) {
     ...(lacksDrives ? [words.lacksDrives] : []),
     ...(differs.length > 0 ? [words.differs(differs)] : []),
     ...(own === cost || Number.isNaN(own) ? [] : [words.ownCost(words.numberText(own))]),
+    ...(also.length > 0 ? [words.also(also, ones.length - 1 - also.length)] : []),
     ...(twins.length > 0 ? [words.same(twins, same.length - 1 - twins.length)] : []),
   ];
 }
@@ -136,7 +142,8 @@ function cellsOf(index, rows, isPinned, { open, pin }) {
   ];
 }
 
-export const csvName = 'hand-ins.csv';
+/** By which exercise they were judged, half a year later too. @param {import('./check.js').Given | null} given */
+export const csvName = (given) => `hand-ins${given ? `-${given.id}` : ''}.csv`;
 
 /** The sign by which a spreadsheet knows a formula, where a cell begins: also for programs that divide at semicolons, tabs or line ends, whatever is in quotes. */
 const sign = /[-=+@＝＋－＠](?<=(?:^|[;\t\r\n])[\s"]*.)/g;

@@ -91,12 +91,18 @@ export const ownCost = (cost) => `J = ${cost} in what was handed in`;
 export const same = (twins, more) =>
   `same answer as ${twins.map(({ number, name }) => `${number} ${name}`.trim()).join(', ')}${more > 0 ? ` and ${more} more` : ''}`;
 
+/** @param {readonly number[]} numbers @param {number} more */
+export const also = (numbers, more) =>
+  `the same student also has ${numbers.join(', ')}${more > 0 ? ` and ${more} more` : ''}`;
+
 /** @param {string} text @param {Row['problem']} problem @param {number} most Of one student. */
 export function problemText(text, problem, most) {
   const began = text ? ` “${text}”` : '';
   if (problem === 'none') return `no hand-in in it:${began || ' empty'}`;
   if (problem === 'long') return `too long for a hand-in${began}`;
   if (problem === 'more') return `of this file only its receipts were checked, at most the last ${most}`;
+  if (problem === 'bytes')
+    return 'no text but a document, a zip or a picture: unpack a zip, else ask for the text of the receipt';
   if (problem === 'heavy') return 'would take too long to compute';
   return problem === '' ? '' : `cannot be read: ${problem.said}`;
 }

@@ -91,12 +91,18 @@ export const ownCost = (cost) => `제출한 설정에서는 J = ${cost}`;
 export const same = (twins, more) =>
   `같은 답: ${twins.map(({ number, name }) => `${number}번 ${name}`.trim()).join(', ')}${more > 0 ? ` 외 ${more}명` : ''}`;
 
+/** @param {readonly number[]} numbers @param {number} more */
+export const also = (numbers, more) =>
+  `같은 학생의 다른 제출: ${numbers.map((number) => `${number}번`).join(', ')}${more > 0 ? ` 외 ${more}개` : ''}`;
+
 /** @param {string} text @param {Row['problem']} problem @param {number} most Of one student. */
 export function problemText(text, problem, most) {
   const began = text ? ` “${text}”` : '';
   if (problem === 'none') return `제출물이 없음:${began || ' 비어 있음'}`;
   if (problem === 'long') return `제출물이라고 하기에는 너무 김${began}`;
   if (problem === 'more') return `이 파일에서는 제출물만, 그것도 마지막 ${most}개까지만 확인함`;
+  if (problem === 'bytes')
+    return '글이 아니라 문서나 압축 파일이나 그림임: 압축 파일이면 풀고, 아니면 제출물의 텍스트를 다시 받아야 함';
   if (problem === 'heavy') return '계산하기에 너무 오래 걸림';
   return problem === '' ? '' : `읽을 수 없음: ${problem.said}`;
 }
