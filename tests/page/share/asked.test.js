@@ -41,8 +41,8 @@ test('a per cent means the same of the aim and of the points, and so do starts o
   for (const value of ['0.6', '60%', '60 %'])
     for (const low of shares)
       assert.equal(said('unseen', value, low, '0', '90%', '6'), 'unseen:0.6 0.3:0,0.9:6');
-  for (const low of ['16', '16/32'])
-    assert.equal(said('parks', '28/32', low, '0', '32/32', '6'), 'parks:28/32 16:0,32:6');
+  for (const low of ['16', '16/32', '16 / 32'])
+    assert.equal(said('parks', '28 / 32', low, '0', '32/32', '6'), 'parks:28/32 16:0,32:6');
   // So many of 1000 are as many as it says, and not one more.
   for (let count = 1; count <= 1000; count += 1)
     assert.equal(said('unseen', `${count / 10} %`, '', '', '', ''), `unseen:${count / 1000} `);
@@ -84,6 +84,7 @@ test('what no answer can come to is no value for points, and the field that has 
     reason('unseen', '60%', '30%', '0', '90', '6'),
     /The second value must be a share from 0 to 1, for instance 0\.3 or 30 %\./,
   );
+  assert.match(reason('parks', '33/32', '', '', '', ''), /like 28\/32: the first at most the second/);
   assert.match(reason('parks', '28/32', '16', '0', '33', '6'), /number of starts from 0 to 32\./);
   assert.match(reason('cost', '8', '9', '', '7', '6'), /need all four/);
 });

@@ -76,3 +76,22 @@ pageTest('where many seeds could be tried within a budget of drives, it is told'
   await page.click('#maker-run-hidden');
   assert.equal(await isTold(), '');
 });
+
+pageTest('where a budget of drives is not counted, or spent before one begins, it is told', async (page) => {
+  const isTold = (/** @type {string} */ id) =>
+    page.evaluate((one) => document.getElementById(one)?.innerText ?? '', `maker-${id}`);
+  await openMaker(page, '#lab&v=1&aim=J%3C7&hide=parts');
+  assert.deepEqual([await isTold('uncounted'), await isTold('many')], ['', '']);
+  await openMaker(page, '#lab&v=1&aim=J%3C7;drives%3C%3D10&lock=drives');
+  assert.match(await isTold('uncounted'), /driven in: other parts, the lesson\. .* lock or hide/);
+  assert.match(await isTold('many'), /has taken 20 drives already/);
+  await page.click('#maker-parts-hidden');
+  assert.match(await isTold('uncounted'), /driven in: the lesson\./);
+  await page.click('#maker-paper-hidden');
+  assert.equal(await isTold('uncounted'), '');
+  await openMaker(page, '#lab&v=1&aim=J%3C7;drives%3C%3D20&lock=drives,lesson');
+  assert.match(await isTold('uncounted'), /driven in: other parts\./);
+  assert.equal(await isTold('many'), '');
+  await openMaker(page, '#lab&v=1&aim=J%3C7;drives%3C%3D10&drives=hand&gains=3,0,4');
+  assert.equal(await isTold('many'), '');
+});

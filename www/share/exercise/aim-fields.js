@@ -1,5 +1,6 @@
 // In the maker: when the exercise is solved, for how many points, and what is drawn for each student.
 /** @import { Exercise } from '../../run/exercise.js' */
+/** @import { State } from '../../run/state.js' */
 /** @import { Varied } from '../../run/variant.js' */
 /** @import { Fields } from './asked.js' */
 import { html, nothing } from 'lit-html';
@@ -10,6 +11,7 @@ import { aimText, scaleText } from '../../link/exercise.js';
 import { wayOf } from '../../run/exercise.js';
 import { variedNames } from '../../run/variant.js';
 import { WrongField, asked, heads, isTurned, pointIds } from './asked.js';
+import { exercise as exerciseWords } from '../../words/index.js';
 import words from '../words/index.js';
 
 const { texts } = words;
@@ -30,6 +32,7 @@ function fieldsOf({ aim, scale }) {
   return { kind, value, drives: aim.drives === null ? '' : String(aim.drives), points };
 }
 
+/** What drives where it is begun. @typedef {Pick<State, 'driver' | 'history' | 'generation'>} Given */
 /** `wrong`: the id of the field that is, or none. @typedef {{ fields: Fields, error: string, wrong: string }} Typed */
 /** @param {Fields} fields @returns {Typed} */
 const right = (fields) => ({ fields, error: '', wrong: '' });
@@ -76,8 +79,8 @@ export function createAimFields(draft, change, redraw) {
     read(exercise) {
       typed = right(fieldsOf(exercise));
     },
-    /** @param {Exercise} exercise @param {unknown} note On what is asked for. */
-    fields: (exercise, note) => fieldsHtml(typed, exercise, note, on),
+    /** @param {Exercise} exercise @param {Given} given @param {unknown} note On what is asked for. */
+    fields: (exercise, given, note) => fieldsHtml(typed, exercise, given, note, on),
   };
 }
 
@@ -94,12 +97,28 @@ const isBySeeds = (exercise) =>
   wayOf(exercise, 'run') === 'free' &&
   (wayOf(exercise, 'seed') === 'free' || wayOf(exercise, 'settings') === 'free');
 
+/** Where nobody counts, and a budget of drives is to hold. @param {Exercise} exercise */
+const uncounted = (exercise) =>
+  exercise.aim?.drives
+    ? /** @type {const} */ (['parts', 'lesson'])
+        .filter((group) => wayOf(exercise, group) === 'free')
+        .map((group) => exerciseWords.groups[group])
+    : [];
+
+/** How many drives the given generation took, where that is past the budget before anybody begins. @param {Exercise} exercise @param {Given} given */
+const tooMany = ({ aim }, { driver, history, generation }) => {
+  const drives = driver === 'evolved' ? history[generation]?.evaluations : 0;
+  return aim?.drives && drives > aim.drives ? drives : 0;
+};
+
 /**
- * @param {Typed} typed @param {Exercise} exercise @param {unknown} note
+ * @param {Typed} typed @param {Exercise} exercise @param {Given} given @param {unknown} note
  * @param {{ type: (patch: Partial<Fields>) => void, kind: (event: Event) => void, points: (index: number, text: string) => void, vary: (name: Varied) => void }} on
  */
-function fieldsHtml({ fields: { kind, value, drives, points }, error, wrong }, exercise, note, on) {
+function fieldsHtml({ fields: { kind, value, drives, points }, error, wrong }, exercise, given, note, on) {
   const { vary, aim } = exercise;
+  const free = uncounted(exercise);
+  const many = tooMany(exercise, given);
   return html`
     <label for="maker-aim" class="maker-label">${texts.makerAim}</label>
     <div class="maker-aim row">
@@ -125,6 +144,8 @@ function fieldsHtml({ fields: { kind, value, drives, points }, error, wrong }, e
           )}</div>`
     }
     ${isBySeeds(exercise) ? html`<p id="maker-seeds" class="muted">${texts.makerSeeds}</p>` : nothing}
+    ${free.length > 0 ? html`<p id="maker-uncounted" class="muted">${words.uncountedText(free)}</p>` : nothing}
+    ${many > 0 ? html`<p id="maker-many" class="muted">${words.manyText(many)}</p>` : nothing}
     <p id="maker-aim-error" class="field-error" role="alert" .hidden=${error === ''}>${error}</p>
     ${error === '' && isTurned(exercise) ? html`<p id="maker-turned" class="muted">${texts.makerTurned}</p>` : nothing}
     <fieldset class="maker-vary"><legend class="maker-label">${texts.makerVary}</legend>${variedNames.map(

@@ -37,10 +37,13 @@ function orSay(field, why, read) {
 const shareOf = (text) =>
   text.endsWith('%') ? numberText(Number((number(text.slice(0, -1)) / 100).toPrecision(15))) : text;
 
+/** As one writes by hand. @param {string} text */
+const unspaced = (text) => text.replace(/\s*\/\s*/, '/');
+
 /** How a link has what is typed of each aim. */
 const inLink = {
   cost: (/** @type {string} */ text) => numberText(number(text)),
-  parks: (/** @type {string} */ text) => text,
+  parks: unspaced,
   unseen: shareOf,
 };
 
@@ -55,7 +58,8 @@ function upTo(text, highest) {
 function measuredIn(wanted, text) {
   if (wanted.kind === 'cost') return upTo(text, most.cost);
   if (wanted.kind === 'unseen') return upTo(shareOf(text), 1);
-  return upTo(text.endsWith(`/${wanted.of}`) ? text.slice(0, text.indexOf('/')) : text, wanted.of);
+  const parks = unspaced(text);
+  return upTo(parks.endsWith(`/${wanted.of}`) ? parks.slice(0, parks.indexOf('/')) : parks, wanted.of);
 }
 
 /** @param {Wanted} wanted @param {readonly string[]} points */

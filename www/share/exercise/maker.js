@@ -117,7 +117,7 @@ export function createMaker({ engine, store, actions, links, paper }) {
         render(
           panelOf(draft, isRefused ? null : addresses, aim.typed().error !== '', status, {
             ...on,
-            fields: aim.fields(draft, easy.length > 0 ? easyNote(easy) : nothing),
+            fields: aim.fields(draft, state, easy.length > 0 ? easyNote(easy) : nothing),
             preview: [withinOf(state.exercise), preview.choice()],
             packaging: packaging.template(link, draft),
           }),

@@ -192,6 +192,14 @@ export const ways = {
 export const easyText = (names, group) =>
   `Met already by one press: ${names.join(', ')}. Ask for more, or lock or hide “${group}”.`;
 
+/** @param {readonly string[]} groups */
+export const uncountedText = (groups) =>
+  `Not counted is what is driven in: ${groups.join(', ')}. Where the budget is to hold, lock or hide that.`;
+
+/** @param {number} drives */
+export const manyText = (drives) =>
+  `What is given has taken ${drives} drives already: allow more, or choose “By hand” first.`;
+
 /** @param {number} count @param {number} most */
 export const countText = (count, most) => `${count} of at most ${most} characters`;
 
@@ -201,7 +209,7 @@ export const countText = (count, most) => `${count} of at most ${most} character
 export const wrongValue = (kind, most) =>
   ({
     cost: `The value of J must be a number above 0 and at most ${most.cost}, for instance 8.1.`,
-    parks: `The number of starts must be written like 28/32, with at most ${most.starts} starts.`,
+    parks: `The number of starts must be written like 28/32: the first at most the second, and that at most ${most.starts}.`,
     unseen: 'The share must be above 0 and at most 1, for instance 0.9 or 90 %.',
   })[kind];
 

@@ -195,6 +195,14 @@ export const ways = {
 export const easyText = (names, group) =>
   `누르기만 해도 해결됩니다: ${names.join(', ')}. 더 어려운 값을 정하거나 “${group}” 항목을 잠그거나 숨기십시오.`;
 
+/** @param {readonly string[]} groups */
+export const uncountedText = (groups) =>
+  `다음에서 한 주행은 세지 않습니다: ${groups.join(', ')}. 횟수 제한을 지키게 하려면 잠그거나 숨기십시오.`;
+
+/** @param {number} drives */
+export const manyText = (drives) =>
+  `주어진 것만으로 이미 ${drives}회 주행했습니다. 횟수를 늘리거나 먼저 “직접 조정”을 고르십시오.`;
+
 /** @param {number} count @param {number} most */
 export const countText = (count, most) => `최대 ${most}자 중 ${count}자`;
 
@@ -204,7 +212,7 @@ export const countText = (count, most) => `최대 ${most}자 중 ${count}자`;
 export const wrongValue = (kind, most) =>
   ({
     cost: `J의 기준값은 0보다 크고 ${most.cost} 이하인 수여야 합니다. 예: 8.1`,
-    parks: `출발점 수는 28/32처럼 적어야 하며 ${most.starts}개까지입니다.`,
+    parks: `출발점 수는 28/32처럼 적되 앞의 수가 뒤의 수 이하이고 뒤의 수가 ${most.starts} 이하여야 합니다.`,
     unseen: '비율은 0보다 크고 1 이하여야 합니다. 예: 0.9 또는 90%',
   })[kind];
 
