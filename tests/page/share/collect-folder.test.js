@@ -96,6 +96,27 @@ test('the exercise is found in the line of a frame and before what ends a senten
   assert.equal(csvName(null), 'hand-ins.csv');
 });
 
+test('of a German worksheet what was graded is not passed on, nor quoted where nobody handed in', async () => {
+  const { text } = await handedIn('s1', [3.3, 0, 4.5]);
+  const graded = ['Bewertung', 'Bestwertung', 'Bewertung kann geändert werden', 'Zuletzt geändert (Abgabe)'];
+  const head = ['ID', 'ID-Nummer', 'Vollständiger Name', 'E-Mail-Adresse', ...graded, 'Texteingabe online'];
+  const rowOf = (/** @type {string} */ written) => [
+    'Teilnehmer/in7',
+    '2026',
+    'Ann',
+    'ann@x.org',
+    '',
+    '100,00',
+    'Ja',
+    '-',
+    written,
+  ];
+  const entries = await reader.read(Papa.unparse([head, rowOf(text), rowOf('')]));
+  for (const { name, ident } of entries)
+    assert.deepEqual([name, Object.keys(ident)], ['Ann', ['ID', 'ID-Nummer', 'E-Mail-Adresse']]);
+  assert.equal(entries[1].text, '');
+});
+
 engineTest('from the one file on a disk the links in the gradebook’s file have no path', async (page) => {
   const { text } = await handedIn('s1', [3.3, 0, 4.5]);
   await page.visit(`${new URL('../../../dist/ep-locomotion.html', import.meta.url).href}#${exercise}`);

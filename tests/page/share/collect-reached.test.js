@@ -78,3 +78,27 @@ pageTest(
     assert.deepEqual(await page.problems(), []);
   },
 );
+
+pageTest('the way to a hand-in is in sight on a laptop, however much its row says', async (page) => {
+  const [a, b] = await Promise.all([
+    handedIn('a rather long name', [3, 0.1, 6], parks),
+    handedIn('another long name', [3, 0.1, 6], parks),
+  ]);
+  await page.resize(1280, 720);
+  await openSheet(page, parks);
+  const rows = [a, b].map(({ text }, i) => [`Maximilian Mustermann ${i}`, text]);
+  await paste(page, Papa.unparse([['Name', 'Text'], ...rows]));
+  await page.click('#collect-check');
+  await checked(page, 2);
+  const isOver = await page.evaluate(() => {
+    const scroll = /** @type {Element} */ (document.querySelector('#collect .table-scroll'));
+    scroll.scrollTop = 1;
+    const inside = scroll.getBoundingClientRect().left + scroll.clientWidth;
+    return [...scroll.querySelectorAll('[data-open]')].map((button) => {
+      const { left, right, top, bottom } = button.getBoundingClientRect();
+      const there = document.elementFromPoint((left + right) / 2, (top + bottom) / 2);
+      return right > inside || there !== button;
+    });
+  });
+  assert.deepEqual(isOver, [false, false]);
+});

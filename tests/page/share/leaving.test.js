@@ -118,6 +118,18 @@ pageTest('in Park the aim stays in sight, with what is said of it and the way to
   await page.open('#lab&v=1&task=Park.&aim=parks:28/32;drives<=100&points=16:0,32:10');
   await page.until('it can be handed in', () => document.getElementById('hand-in'));
   assert.equal(await away(), '');
+  // Where what is said has two lines, none begins with what divides it.
+  await page.until('it is measured', () => document.querySelectorAll('#aim .muted').length === 3);
+  const dividers = await page.evaluate(() =>
+    [...document.querySelectorAll('#aim .muted')].map((one) =>
+      ['::before', '::after'].map((side) => getComputedStyle(one, side).content),
+    ),
+  );
+  assert.deepEqual(dividers, [
+    ['none', '" ·"'],
+    ['none', '" ·"'],
+    ['none', 'none'],
+  ]);
   await page.click('#page-park');
   await page.until('it is told', () => document.getElementById('aim-away'));
   assert.equal(await aim(), 'parks from 28 of 32 starts, within 100 drives');

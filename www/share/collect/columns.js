@@ -8,11 +8,11 @@ const names = {
   first: /^(first name|given name|vorname|prénom)$/i,
   last: /^(surname|last name|family name|nachname|nom)$/i,
   ident:
-    /^(identifier|id|id number|student id|email|email address|e-mail|username|login id|sis user id|sis login id|integration id|section|학번|식별자|id 번호|이메일(?: 주소)?|전자 ?우편(?: 주소)?|아이디|사용자 이름|(?:sis )?(?:사용자|로그인|통합) ?(?:id|아이디)|섹션|분반)$/i,
+    /^(identifier|id|id number|student id|id-nummer|email|email address|e-mail|e-mail-adresse|username|login id|sis user id|sis login id|integration id|section|학번|식별자|id 번호|이메일(?: 주소)?|전자 ?우편(?: 주소)?|아이디|사용자 이름|(?:sis )?(?:사용자|로그인|통합) ?(?:id|아이디)|섹션|분반)$/i,
 };
 /** What the platform or a teacher says of a submission: not of who made it, and nothing that was handed in. */
 const aboutIt =
-  /^(?:status|grade|maximum grade|grade can be changed|last modified\b.*|(?:채점 |표시 진행 )?상태|(?:최대 |최고 )?성적|마지막 수정됨.*)$|\bfeedback\b|피드백|rétroaction|retroaliment|retroacci|återkoppling|zwrotn|отзыв|phản hồi|フィードバック|反馈|回饋/i;
+  /^(?:status|grade|maximum grade|grade can be changed|last modified\b.*|(?:채점 |표시 진행 )?상태|(?:최대 |최고 )?성적|마지막 수정됨.*|bewertung(?: kann geändert werden)?|bestwertung|zuletzt geändert .*)$|\bfeedback\b|피드백|rétroaction|retroaliment|retroacci|återkoppling|zwrotn|отзыв|phản hồi|フィードバック|反馈|回饋/i;
 /** By longer ones nobody is known. In characters. */
 const mostOfIdent = 100;
 const mostIdents = 20;
