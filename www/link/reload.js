@@ -9,7 +9,7 @@ import { caughtUp, spentOf } from '../run/state.js';
 
 /** Each address has its own, for one may go back to another. */
 const prefix = 'ep-locomotion left ';
-/** Whose work on which exercise was left, since when it lasted, by the machine's clock, for the page's own begins anew, and what was driven. */
+/** Whose work on which exercise was left, since when it lasted, by the machine's clock, for the page's own begins anew, what was driven, and how long it had lasted. */
 const workKey = 'ep-locomotion work';
 
 /** @param {Storage} storage @param {string} link */
@@ -22,7 +22,7 @@ function forget(storage, link) {
 function keepWork(storage, state) {
   const lasted = performance.now() - state.work.begun;
   const shown = caughtUp(state);
-  const kept = [workId(state), Date.now() - lasted, spentOf(shown), shown.generation];
+  const kept = [workId(state), Date.now() - lasted, spentOf(shown), shown.generation, lasted];
   if (workId(state)) storage.setItem(workKey, JSON.stringify(kept));
 }
 
@@ -65,12 +65,14 @@ export function takeLeft() {
 export function takeWork(opened) {
   if (isEmbedded || !isBack()) return opened;
   const kept = withStorage((storage) => {
-    const [id, since, driven = 0, generation = 0] = JSON.parse(storage.getItem(workKey) ?? '[]');
+    const [id, since, driven = 0, generation = 0, lasted = 0] = JSON.parse(storage.getItem(workKey) ?? '[]');
     // Of other generations the link itself says more, or less, of what was driven.
     const made = generation === opened.generation ? driven : 0;
-    return Number.isFinite(since) && Number.isSafeInteger(made) ? { id, since, made } : null;
+    const isWhole = [since, lasted].every(Number.isFinite) && Number.isSafeInteger(made);
+    return isWhole ? { id, since, made, lasted } : null;
   });
   if (!kept?.id || kept.id !== workId(opened)) return opened;
-  const begun = performance.now() - Math.max(0, Date.now() - kept.since);
+  // That clock may have been set back meanwhile.
+  const begun = performance.now() - Math.max(kept.lasted, Date.now() - kept.since);
   return { ...opened, student: { ...opened.student, begun, made: kept.made } };
 }

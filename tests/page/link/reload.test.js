@@ -115,7 +115,16 @@ pageTest('the work on an exercise goes on where the page is loaded again', async
   });
   for (let time = 0; time < 3; time += 1) {
     const { drives, minutes } = await done(page);
-    assert.ok(drives === 2 && minutes >= 1000, `${drives} drives in ${minutes} min, reload ${time}`);
+    const least = time < 2 ? 1000 : 3000;
+    assert.ok(drives === 2 && minutes >= least, `${drives} drives in ${minutes} min, reload ${time}`);
+    // The machine's clock is set back while the page is away, and then on: only time away can count.
+    await page.evaluate(
+      (ahead) => {
+        const now = Date.now();
+        Date.now = () => now + ahead;
+      },
+      time === 0 ? 180_000_000 : -120_000_000,
+    );
     await page.driver.navigate().refresh();
   }
   const again = await address(page);
