@@ -1,7 +1,7 @@
 // Every word of what stands in the place of the robots where they cannot drive.
 
 export const waits =
-  'No robots yet? If none come within a few seconds, this browser cannot run the page, or a file of it is missing. Chrome and Edge from 109, Firefox from 115 and Safari from 16.4 run it, with scripts and WebAssembly allowed. From a disk open ep-locomotion.html, which is all of it.';
+  'No robots yet? The network is slow, this browser cannot run the page, or a file of it is missing. Chrome and Edge from 109, Firefox from 115 and Safari from 16.4 run it, with scripts and WebAssembly allowed. From a disk open ep-locomotion.html, which is all of it.';
 
 /** @param {string} reason */
 export const cannot = (reason) =>
@@ -15,7 +15,8 @@ export const reasons = {
   full: 'this browser has no memory left for them. Close other tabs, then load the page again.',
 };
 /** @param {string} message */
-export const notLoaded = (message) => `a part of the page could not be loaded (${message}).`;
+export const notLoaded = (message) =>
+  `a part of the page could not be loaded (${message}). See that there is a network and that you are logged in, then load the page again.`;
 
 /** Before a link to the page. */
 export const copy =

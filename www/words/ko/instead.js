@@ -1,7 +1,7 @@
 // Every word of what stands in the place of the robots where they cannot drive, in Korean.
 
 export const waits =
-  '아직 로봇이 보이지 않습니까? 몇 초가 지나도 나타나지 않으면 이 브라우저가 페이지를 실행할 수 없거나 파일이 빠진 것입니다. 스크립트와 WebAssembly를 허용한 Chrome·Edge 109, Firefox 115, Safari 16.4 이상에서 실행됩니다. 디스크에서는 모두 들어 있는 ep-locomotion.html을 여십시오.';
+  '아직 로봇이 보이지 않습니까? 네트워크가 느리거나, 이 브라우저가 페이지를 실행할 수 없거나, 파일이 빠진 것입니다. 스크립트와 WebAssembly를 허용한 Chrome·Edge 109, Firefox 115, Safari 16.4 이상에서 실행됩니다. 디스크에서는 모두 들어 있는 ep-locomotion.html을 여십시오.';
 
 /** @param {string} reason */
 export const cannot = (reason) =>
@@ -15,7 +15,8 @@ export const reasons = {
   full: '이 브라우저에 남은 메모리가 없습니다. 다른 탭을 닫고 페이지를 새로 고치십시오.',
 };
 /** @param {string} message */
-export const notLoaded = (message) => `페이지의 일부를 불러오지 못했습니다(${message}).`;
+export const notLoaded = (message) =>
+  `페이지의 일부를 불러오지 못했습니다(${message}). 네트워크와 로그인을 확인하고 페이지를 새로 고치십시오.`;
 
 /** Before a link to the page. */
 export const copy =
