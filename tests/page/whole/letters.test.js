@@ -131,18 +131,37 @@ pageTest(
   },
 );
 
-pageTest('with more space between letters, words, and lines no text of a chart is cut', async (page) => {
-  if (page.engine !== 'chromium') return;
-  await page.resize(1280, 1024);
-  await page.open();
-  await page.evaluate(() => {
+/** As far apart as WCAG 1.4.12 says. @param {import('../harness/browsers.js').Page} page */
+const moveApart = (page) =>
+  page.evaluate(() => {
     // The page takes no style that is written into it.
     const sheet = new CSSStyleSheet();
     sheet.replaceSync(`* { line-height: 1.5 !important; letter-spacing: 0.12em !important; word-spacing: 0.16em !important; }
       p { margin-bottom: 2em !important; }`);
     document.adoptedStyleSheets.push(sheet);
   });
+
+pageTest('with more space between letters, words, and lines no text of a chart is cut', async (page) => {
+  if (page.engine !== 'chromium') return;
+  await page.resize(1280, 1024);
+  await page.open();
+  await moveApart(page);
   await page.evaluate(keepCut);
   const links = ['lab&v=1', 'curves&v=1', 'luck&luck=contest', 'generation&v=1&generation=2'];
   assert.equal(await flawsIn(page, links, takeCut), '');
+});
+
+pageTest('nor does one of the lesson lie on the clock, or take the room of its bells', async (page) => {
+  if (page.engine !== 'chromium') return;
+  await page.resize(1280, 900);
+  await page.open();
+  await moveApart(page);
+  assert.equal(await flawsIn(page, ['lesson&step=law'], () => []), '');
+  assert.deepEqual(await page.evaluate(overlapping, '.clock, .push-strip > p'), []);
+  const found = await flawsIn(page, ['lesson&step=sigma'], () =>
+    [...document.querySelectorAll('.lineage-columns svg')]
+      .filter((one) => one.clientHeight < 100)
+      .map((one) => `bells in ${one.clientHeight} px`),
+  );
+  assert.equal(found, '');
 });
