@@ -23,6 +23,16 @@ import { language, languageOfAddress } from '../words/language.js';
 /** The host's “back” is not for what happens within a frame. */
 const onward = isEmbedded ? 'replaceState' : 'pushState';
 
+/** Of a browser that refuses an address, as some do after many, the page has no more than it had. @param {'replaceState' | 'pushState'} how @param {string} link */
+function put(how, link) {
+  try {
+    history[how](null, '', `#${link}`);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
 /** In milliseconds, after which a change is written: browsers refuse an address that changes more often. */
 const pauses = { atRest: 400, evolving: 2000 };
 
@@ -68,8 +78,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
   /** @type {Place} */
   let place = { page: '', lesson: 0, trial: noTrial };
 
-  const open = () => {
-    const asked = location.hash.slice(1);
+  const open = (asked = location.hash.slice(1)) => {
     const spoken = languageOfAddress();
     // The words are chosen when the page loads.
     if (spoken !== language) {
@@ -93,9 +102,10 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
     if (away.leaves || !isDue(state, place) || link === written) return;
     const isStep = isElsewhere(state, place) && written;
     // One that "back" takes back: to all that the part before has come to.
-    if (isStep) history.replaceState(null, '', `#${linkFor({ ...state, ...place })}`);
-    away.replaced = isStep ? '' : location.href;
-    history[isStep ? onward : 'replaceState'](null, '', `#${link}`);
+    if (isStep) put('replaceState', linkFor({ ...state, ...place }));
+    const replaced = isStep ? '' : location.href;
+    if (!put(isStep ? onward : 'replaceState', link)) return soon.ask('evolving');
+    away.replaced = replaced;
     [written, place] = [link, placeOf(state)];
     onWrite();
   };
@@ -105,7 +115,7 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
   const lead = createWays(wayTo, [...links.pages, 'lesson'], other.follow);
 
   addEventListener(leaving, () => {
-    history.replaceState(null, '', `#${linkNow(written)}`);
+    put('replaceState', linkNow(written));
     crossOver(store.get(), slices);
     away.leaves = true;
   });
@@ -120,15 +130,15 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
 
     /** Opens a link of this page, as if it had been followed. An exercise goes on. @param {string} link */
     go(link) {
-      history.replaceState(null, '', `#${linkNow(written)}`);
-      history[onward](null, '', `#${withExercise(link, store.get(), engine.experiment)}`);
-      open();
+      put('replaceState', linkNow(written));
+      const next = withExercise(link, store.get(), engine.experiment);
+      open(put(onward, next) ? undefined : next);
     },
 
     /** A run that is opened from elsewhere takes the place of this one: a step that "back" takes back. @param {Place} next */
     keepPlace(next) {
-      history.replaceState(null, '', `#${linkFor(store.get())}`);
-      history[onward](null, '', location.hash);
+      put('replaceState', linkFor(store.get()));
+      put(onward, location.hash.slice(1));
       written = null;
       place = placeOf(next);
     },
@@ -160,13 +170,13 @@ async function speak({ store, actions, slices }, away, isThisRun, linkNow) {
   if (isThere) {
     if (isThisRun) {
       // With what was done while one waited.
-      history.replaceState(null, '', `#${linkNow(languageOfAddress())}`);
+      put('replaceState', linkNow(languageOfAddress()));
       crossOver(store.get(), slices);
     }
     return location.reload();
   }
   away.leaves = false;
-  history.replaceState(null, '', `#${linkNow(language)}`);
+  put('replaceState', linkNow(language));
   actions.say(words.notLoaded);
 }
 

@@ -181,6 +181,34 @@ pageTest('a link far into a run says how far it has come, and Escape leaves it t
   assert.equal(await page.text('#generation'), stopped);
 });
 
+pageTest(
+  'where a browser refuses an address the link opens all the same, and is written later',
+  async (page) => {
+    await page.open('#lesson&step=drive');
+    await page.evaluate(() => {
+      const { replaceState, pushState } = history;
+      const refuse = () => {
+        throw new DOMException('Attempt to use history more than 100 times per 30 seconds', 'SecurityError');
+      };
+      Object.assign(history, { replaceState: refuse, pushState: refuse });
+      Object.assign(window, { allow: () => Object.assign(history, { replaceState, pushState }) });
+    });
+    const title = await page.text('#lesson-title');
+    await page.click('.step-on');
+    await page.until(
+      'the next step is there',
+      (before) => ![before, ''].includes(document.getElementById('lesson-title')?.innerText ?? ''),
+      title,
+    );
+    await page.click('#page-lab');
+    await page.until('the lab is there', () => document.getElementById('one-generation')?.checkVisibility());
+    assert.equal(await page.evaluate(() => location.hash), '#lesson&step=drive');
+    await page.evaluate(() => /** @type {any} */ (window).allow());
+    await page.until('it is written', () => location.hash.startsWith('#lab'));
+    assert.deepEqual(await page.problems(), []);
+  },
+);
+
 pageTest('back from the lesson leads to all that the lab had come to', async (page) => {
   await page.open('#lab&v=1');
   // At once, before the address has followed by itself.
