@@ -48,6 +48,58 @@ pageTest("colours that mean something outlast the reader's own", async (page) =>
   }
 });
 
+pageTest(
+  'names in charts stand on the ground of the reader, and what cannot be pressed looks so',
+  async (page) => {
+    if (page.engine !== 'chromium') return;
+    try {
+      await surround(page, [1440, 900], { 'forced-colors': 'active', 'prefers-color-scheme': 'dark' });
+      await page.open('#lab&v=1&generation=20');
+      const { ground, grounds } = await page.evaluate(() => {
+        const ground = getComputedStyle(document.body).backgroundColor;
+        /** How often which colour covers what is under it. @type {Map<string, number>} */
+        const counts = new Map();
+        for (const canvas of document.querySelectorAll('#curve canvas')) {
+          const { width, height } = /** @type {HTMLCanvasElement} */ (canvas);
+          const context = /** @type {HTMLCanvasElement} */ (canvas).getContext('2d');
+          const { data } = /** @type {CanvasRenderingContext2D} */ (context).getImageData(
+            0,
+            0,
+            width,
+            height,
+          );
+          for (let at = 0; at < data.length; at += 4) {
+            const [red, green, blue, alpha] = data.slice(at, at + 4);
+            const name = `rgb(${red}, ${green}, ${blue})`;
+            if (alpha === 255) counts.set(name, (counts.get(name) ?? 0) + 1);
+          }
+        }
+        return { ground, grounds: [...counts].sort(([, a], [, b]) => b - a).map(([name]) => name) };
+      });
+      assert.ok(grounds.slice(0, 2).includes(ground), `${ground} is not among ${grounds.slice(0, 4)}`);
+
+      await follow(page, 'park');
+      await page.until('there is something to press', () => document.getElementById('park-evolve'));
+      const looks = await page.evaluate(() => {
+        const [evolve, again] = ['#park-evolve', '#park-again'].map(
+          (one) => /** @type {Element} */ (document.querySelector(one)),
+        );
+        // However far the film is.
+        again.ariaDisabled = 'true';
+        return [evolve, again].map((button) => {
+          const { color, borderTopColor, opacity } = getComputedStyle(button);
+          const isDisabled = button.matches(':disabled, [aria-disabled="true"]');
+          return [isDisabled, color, borderTopColor, opacity].join(' ');
+        });
+      });
+      assert.match(looks[0], /^true/);
+      assert.equal(looks[1], looks[0]);
+    } finally {
+      await endSurrounding(page);
+    }
+  },
+);
+
 pageTest('where more contrast is asked for, the edges of controls are as dark as letters', async (page) => {
   if (page.engine !== 'chromium') return;
   const edges = () =>
