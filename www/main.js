@@ -16,6 +16,8 @@ if (!document.getElementById('copy')) {
   load()
     .then(() => import('./page.js'))
     .then(({ begin }) => {
+      // Nor can anything be told apart without the styles.
+      if (!getComputedStyle(document.documentElement).getPropertyValue('--ink')) throw Error('no styles');
       begin();
     })
     .catch((error) => {

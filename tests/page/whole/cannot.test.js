@@ -72,7 +72,7 @@ engineTest('what the browser or the server lacks is said, above a picture and th
       '#curves&v=1&seed=7',
       /no SIMD/,
     ],
-    [without(/\.wasm$/), '?embed#lab', /could not be loaded \(.*404/],
+    [without(/\.wasm$/), '?embed#lab', /could not be loaded \(.*404.*then load the page again/],
     [{ before: full }, '', /no memory left/],
     [{ before: failing('popstate') }, '', /could not be loaded \(no ear for popstate\)/],
     [{ before: silent }, '', /could not be loaded \(no texts\)/],
@@ -195,6 +195,20 @@ engineTest('without its scripts, or where they are forbidden, the page can be re
   });
   assert.match(String(seen[0]), /need JavaScript.*JavaScript/);
   assert.equal(seen[1], 2);
+});
+
+pageTest('without its styles the page does not open, and says that a file of it is missing', async (page) => {
+  await withSite(page, without(/assets.index-.*\.css$/), async (address) => {
+    await page.visit(`${address}#lab`);
+    await page.until('the page has seen it', () =>
+      /** @type {any} */ (window).collectedProblems.some((/** @type {string} */ one) =>
+        one.includes('no styles'),
+      ),
+    );
+    const { why, instrument } = await inSight(page);
+    assert.match(why, /slow.*a file of it is missing/s);
+    assert.equal(instrument, false);
+  });
 });
 
 pageTest('when the core fails the page says so and how to go on, and answers nothing more', async (page) => {
