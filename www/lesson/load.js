@@ -3,12 +3,14 @@
 /** @import { Scene } from '../run/scene.js' */
 /** @import { State } from '../run/state.js' */
 /** @import { Tools } from './page.js' */
+import { byId } from '../kit/elements.js';
+import { isEmbedded } from '../kit/host.js';
 import { once } from '../kit/memo.js';
 import { titleOf } from '../lab/navigation.js';
 import { load as loadDisturbance } from '../parts/disturbance/words/load.js';
 import { load as loadGeneration } from '../parts/generation/words/load.js';
 import { createPlace } from '../parts/load.js';
-import { lesson as words } from '../words/index.js';
+import { lesson as words, opening } from '../words/index.js';
 import { afterWords } from '../words/pick.js';
 import { createKeepsake } from './keepsake.js';
 import { progressSlice } from './state.js';
@@ -33,7 +35,9 @@ export function createLesson(tools) {
   let place = null;
 
   async function begin() {
-    place = createPlace('lesson', tools.store.redraw);
+    // Its run takes the place of the one there was; in a frame no way leads back.
+    const hadRun = !isEmbedded && !byId('instrument').hidden;
+    place = createPlace('lesson', tools.store.redraw, hadRun ? opening.back : '');
     try {
       const { createLessonPage } = await load();
       lesson = createLessonPage(tools);

@@ -80,9 +80,12 @@ export function createParts(parts, tools, onLoaded) {
 /** As long as this what was open stays: most often all is there by then, and nothing has moved meanwhile. */
 export const unnoticed = 400;
 
-/** Where the page of a part, or the lesson, will be: it says what one waits for, or what went wrong. @param {string} name @param {() => void} onLate */
-export function createPlace(name, onLate) {
-  const { element, fail } = createWaiting();
+/** So long the first picture waits for what is open: a file that never comes holds nothing else back. */
+export const longest = 5000;
+
+/** Where the page of a part, or the lesson, will be: it says what one waits for, or what went wrong. @param {string} name @param {() => void} onLate @param {string} [note] What else is said then. */
+export function createPlace(name, onLate, note) {
+  const { element, fail } = createWaiting(note);
   const tell = () => {
     place.isLate = true;
     onLate();

@@ -34,6 +34,7 @@ const failure = (page) =>
       (element) => !element.contains(box) && element.checkVisibility(),
     );
     return {
+      text: box.textContent ?? '',
       isSeen: top >= 0 && bottom <= innerHeight,
       crosses: robot.bottom > top && robot.top < bottom && robot.right > left && robot.left < right,
       plane: robot.height,
@@ -52,9 +53,11 @@ pageTest('a part that cannot be loaded leaves the plane where it is, and says so
       for (const part of ['landscape', 'robustness', 'training', 'generation', 'lesson']) {
         await open(page, `${site.address}#lab&v=1`, size);
         await page.click(`#page-${part}`);
-        const { isSeen, crosses, plane, others, title } = await failure(page);
+        const { text, isSeen, crosses, plane, others, title } = await failure(page);
         const where = `${part} at ${size}`;
         assert.ok(isSeen, where);
+        // Its run has taken the place of the one there was.
+        assert.equal(/Back leads/.test(text), part === 'lesson', where);
         assert.ok(!crosses, where);
         assert.ok(plane > 250, `${where}: a plane of ${plane} pixels`);
         assert.deepEqual(others, [], where);
