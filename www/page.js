@@ -10,7 +10,7 @@ import { byId } from './kit/elements.js';
 import { keepHeld, steadySliders } from './kit/finger.js';
 import { createFocusKeeper } from './kit/focus.js';
 import { isEmbedded, isStill } from './kit/host.js';
-import { createAccumulator, createApart, createFrameLoop, createTurns, pause } from './kit/loop.js';
+import { breathe, createAccumulator, createApart, createFrameLoop, createTurns, pause } from './kit/loop.js';
 import { createComputing } from './lab/computing.js';
 import { createDraw, headOf } from './lab/draw.js';
 import { createPinButton } from './lab/pin-button.js';
@@ -20,7 +20,7 @@ import { links } from './lesson/links.js';
 import { askForLesson, createLesson } from './lesson/load.js';
 import { progressSlice } from './lesson/state.js';
 import { createAddress } from './link/address.js';
-import { askFor, createParts } from './parts/load.js';
+import { askFor, createParts, longest } from './parts/load.js';
 import { firstPage, inSight, named, pagesBeside, parts, places } from './parts/parts.js';
 import { createActions } from './run/actions/actions.js';
 import { createBehind } from './run/behind.js';
@@ -215,7 +215,7 @@ function createFrame({ actions, tools: { store } }, { made, turn }, show) {
   };
 }
 
-/** What is not there yet of the open part is there, or cannot be, once this is resolved. @param {Engine} engine */
+/** What is not there yet of the open part is there, or cannot be or is late, once this is resolved. @param {Engine} engine */
 async function start(engine) {
   await giveWay();
   /** @type {Seen | null} */
@@ -255,7 +255,8 @@ async function start(engine) {
   byId('fitness-table').addEventListener('click', () => showTable(fitnessTable(store.get())));
   address = createAddress({ ...tools, actions, slices: places.slices, firstPage, onWrite: followAddress });
   await giveWay();
-  await Promise.all([made.open(store.get().page), lesson.open(store.get())]);
+  const opened = Promise.all([made.open(store.get().page), lesson.open(store.get())]);
+  await Promise.race([opened, breathe(longest)]);
   await giveWay();
   await prepare();
   frame = createFrame(run, seen, show);

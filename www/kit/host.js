@@ -30,7 +30,9 @@ export const leaving = 'page-leaves';
 /** Whether the page can be loaded again now, and not one that asks to log in; a file on a disk cannot be asked for, and is there. */
 export async function canLoad() {
   if (location.protocol === 'file:') return true;
-  const answer = await fetch(location.href, { cache: 'no-store' })
+  // A network that has fallen silent never answers.
+  const signal = AbortSignal.timeout(10_000);
+  const answer = await fetch(location.href, { cache: 'no-store', signal })
     .then((response) => response.text())
     .catch(() => '');
   return answer.includes('id="instrument"');

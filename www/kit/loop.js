@@ -57,8 +57,8 @@ export function createAccumulator() {
   };
 }
 
-/** Lets the browser do what is due meanwhile, so that nothing holds the page for long. */
-export const breathe = () => new Promise((resolve) => setTimeout(resolve));
+/** Lets the browser do what is due meanwhile, so that nothing holds the page for long. @param {number} [milliseconds] */
+export const breathe = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
 /** Lets what waits have its turn, also where no frame is drawn and timers are slow. */
 export const pause = () =>
