@@ -17,6 +17,8 @@ export function createWaiting(note = '') {
   }, long);
   return {
     element,
+    /** It is there. */
+    end: () => clearTimeout(timer),
     /** It could not be loaded, and the rest goes on; where the core is lost nothing does. @param {unknown} error */
     fail(error) {
       clearTimeout(timer);

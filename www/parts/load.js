@@ -85,7 +85,7 @@ export const longest = 5000;
 
 /** Where the page of a part, or the lesson, will be: it says what one waits for, or what went wrong. @param {string} name @param {() => void} onLate @param {string} [note] What else is said then. */
 export function createPlace(name, onLate, note) {
-  const { element, fail } = createWaiting(note);
+  const { element, end, fail } = createWaiting(note);
   const tell = () => {
     place.isLate = true;
     onLate();
@@ -106,6 +106,7 @@ export function createPlace(name, onLate, note) {
     /** @param {HTMLElement} [page] */
     fill(page) {
       clearTimeout(timer);
+      end();
       if (page) {
         page.hidden = element.hidden;
         element.before(page);
