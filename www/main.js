@@ -16,8 +16,9 @@ if (!document.getElementById('copy')) {
   load()
     .then(() => import('./page.js'))
     .then(({ begin }) => {
-      // Nor can anything be told apart without the styles.
-      if (!getComputedStyle(document.documentElement).getPropertyValue('--ink')) throw Error('no styles');
+      // Nor can anything be told apart without the styles; in a frame that is not shown some browsers tell of none.
+      const style = getComputedStyle(document.documentElement);
+      if (style.display && !style.getPropertyValue('--ink')) throw Error('no styles');
       begin();
     })
     .catch((error) => {

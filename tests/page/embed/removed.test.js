@@ -1,4 +1,4 @@
-// A figure that is taken away while it loads, as a page that changes does.
+// A figure that is taken away, or not shown, while it loads, as a page that changes does.
 import assert from 'node:assert/strict';
 import { engineTest } from '../harness/browsers.js';
 
@@ -37,3 +37,21 @@ engineTest(
     }
   },
 );
+
+engineTest('a figure that is not shown while it opens opens all the same', async (page) => {
+  await page.visit(page.site.blank);
+  await page.evaluate((src) => {
+    document.body.innerHTML = '<iframe hidden width="640" height="420"></iframe>';
+    Object.assign(document.body.firstElementChild ?? {}, { src });
+  }, `${page.site.address}?embed#lab`);
+  // No frame is drawn yet.
+  await page.until('it is made', () =>
+    Boolean(document.querySelector('iframe')?.contentDocument?.getElementById('gain-kx')),
+  );
+  await page.evaluate(() => document.querySelector('iframe')?.removeAttribute('hidden'));
+  await page.until(
+    'it is ready',
+    () => document.querySelector('iframe')?.contentDocument?.documentElement.dataset.ready,
+  );
+  await page.leave();
+});
