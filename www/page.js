@@ -256,7 +256,10 @@ async function start(engine) {
   address = createAddress({ ...tools, actions, slices: places.slices, firstPage, onWrite: followAddress });
   await giveWay();
   const opened = Promise.all([made.open(store.get().page), lesson.open(store.get())]);
-  await Promise.race([opened, breathe(longest)]);
+  // A figure has nothing else.
+  await (isEmbedded ? opened : Promise.race([opened, breathe(longest)]));
+  // What goes wrong later nobody has caught.
+  opened.then();
   await giveWay();
   await prepare();
   frame = createFrame(run, seen, show);

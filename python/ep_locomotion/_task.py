@@ -117,9 +117,9 @@ def with_ends(given):
 def _with_gains(given):
     """The same, with gains as all else takes them that drives one robot."""
     given = with_ends(given)
-    if not isinstance(given, Mapping) or "gains" not in given:
+    if not isinstance(given, Mapping):
         return given
-    return {**given, "gains": Encoded(encoded_gains(given["gains"])[0])}
+    return {**given, "gains": Encoded(encoded_gains(given.get("gains"))[0])}
 
 
 _PARTS = ("seeds", "rows", "part")

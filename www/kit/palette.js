@@ -17,7 +17,9 @@ let colours = null;
 
 function readColours() {
   const style = getComputedStyle(document.documentElement);
-  return new Map(tokens.map((token) => [token, style.getPropertyValue(token).trim()]));
+  const read = new Map(tokens.map((token) => [token, style.getPropertyValue(token).trim()]));
+  // No word of the reader's own colours, which a saved picture would not know.
+  return read.set('--paper', getComputedStyle(document.body).backgroundColor);
 }
 
 /** @param {string} token */

@@ -90,6 +90,7 @@ test('the exercise is found in the line of a frame and before what ends a senten
     'lab&v=1&task=Park in 2 s.&aim=J<8',
     'lab&v=1&aim=J<8;drives<=9',
     'lab&v=1&task=Say "x"',
+    'lab&v=1&task=로봇을 주차하십시오.',
   ])
     assert.equal(reader.exerciseIn(link), link);
   assert.equal(csvName(checker.exerciseIn(drawn)), `hand-ins-${id}.csv`);

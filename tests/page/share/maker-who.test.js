@@ -94,4 +94,6 @@ pageTest('where a budget of drives is not counted, or spent before one begins, i
   assert.equal(await isTold('many'), '');
   await openMaker(page, '#lab&v=1&aim=J%3C7;drives%3C%3D10&drives=hand&gains=3,0,4');
   assert.equal(await isTold('many'), '');
+  await openMaker(page, '#lab&v=1&aim=J%3C7;drives%3C%3D10&drives=hand&gains=3,0,4&generation=5');
+  assert.match(await isTold('many'), /has taken 120 drives already/);
 });

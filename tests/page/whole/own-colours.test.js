@@ -1,6 +1,8 @@
 // In the reader's own colours, and where more contrast is asked for, nothing loses what it says by its colour.
 import assert from 'node:assert/strict';
+import { Key } from 'selenium-webdriver';
 import { pageTest } from '../harness/browsers.js';
+import { saved } from '../share/picture-files.js';
 import { endSurrounding, follow, surround } from './surround.js';
 
 /** The grounds of what a selector finds that shows its ground alone. @param {import('../harness/browsers.js').Page} page @param {string} selector @param {string} [pseudo] */
@@ -78,6 +80,11 @@ pageTest(
       });
       assert.ok(grounds.slice(0, 2).includes(ground), `${ground} is not among ${grounds.slice(0, 4)}`);
 
+      // What is saved is for readers with other colours.
+      await page.click('#keep-button');
+      const { bytes } = await saved(page, 'The fitness curve: save as SVG');
+      assert.doesNotMatch(bytes.toString('utf8'), /"Canvas/);
+      await page.press(Key.ESCAPE);
       await follow(page, 'park');
       await page.until('there is something to press', () => document.getElementById('park-evolve'));
       const looks = await page.evaluate(() => {

@@ -139,6 +139,9 @@ async function givenTo(tools, entries, runs, asked) {
 const whoseOf = ({ name, ident, isOnes }, { student }, index) =>
   JSON.stringify([name, ident, isOnes || student.who || index]);
 
+/** Whether the platform says whose it is: a name alone may be that of two. @param {Entry} entry */
+const isKnown = ({ isOnes, ident }) => isOnes && Object.keys(ident).length > 0;
+
 /** Who has the very same answer as whom, and who handed in what else: one list for all of an answer, or of a student. @param {Row[]} rows @returns {Row[]} */
 function withTwins(rows) {
   /** @type {Map<string, number[]>} */
@@ -156,7 +159,7 @@ function withTwins(rows) {
       ...row,
       same: listOf(`${checked.gains} ${checked.how}`, i),
       // Whose it is by what is typed in it, anybody may say.
-      ones: entry.isOnes ? listOf(whoseOf(entry, checked.run, i), i) : [i],
+      ones: isKnown(entry) ? listOf(whoseOf(entry, checked.run, i), i) : [i],
     };
   });
 }

@@ -66,7 +66,7 @@ const hrefIn = (tag) => /\bhref=["']([^"'<>]*)["']/i.exec(tag)?.[1] ?? '';
 const countOf = (text, what) => text.split(what).length - 1;
 
 /** A document, a zip or a picture: its bytes say nothing. @param {string} text */
-const isNoText = (text) => text.startsWith('PK\x03\x04') || /^(?:%PDF-|[^ -~]PNG\r\n)/.test(text);
+const isNoText = (text) => /^[^]{0,99}[\0-\x08\x0e-\x1a]|^%PDF-/.test(text);
 
 /** @param {string} text */
 const beginning = (text) => tidyText(text).slice(0, 80);
@@ -142,7 +142,7 @@ function createFinder(pages) {
     const link = linkIn(asked);
     if (link === null) return asked;
     const [, ...behind] = asked.split(link);
-    const isAlone = behind.length > 0 && /^[^\w%]*$/.test(behind.join());
+    const isAlone = behind.length > 0 && /^[^\p{L}\p{N}_%]*$/u.test(behind.join());
     return isAlone || asked.startsWith('<') ? link : asked;
   }
 
@@ -165,7 +165,7 @@ function createEntries(linkIn) {
     const without = (why) => ({
       ...about,
       link: null,
-      ...(isNoText(text) ? { text: '', why: 'bytes' } : { why }),
+      why: isNoText(text) ? 'bytes' : why,
     });
     if (text.length > mostOfOne) return without('long');
     const link = linkIn(text);

@@ -13,7 +13,7 @@ export function ownerOf(path) {
   const file = parts[parts.length - 1].replace(/\.\w+$/, '');
   const canvas = /^(\D+?|[^_]*\p{L}[^_]*)_(?:LATE_)?(\d+)_(?:\d+_|(?:text|link)$)/u.exec(file);
   const [, name, number] = moodle ?? canvas ?? ['', file, ''];
-  // As its worksheet has it, or the table of its gradebook.
+  // As its English worksheet has it, or the table of its gradebook.
   const ident = moodle ? { Identifier: `Participant ${number}` } : { ID: number };
   return { name, number, ident, isMoodle: Boolean(moodle) };
 }

@@ -105,9 +105,9 @@ const uncounted = (exercise) =>
         .map((group) => exerciseWords.groups[group])
     : [];
 
-/** How many drives the given generation took, where that is past the budget before anybody begins. @param {Exercise} exercise @param {Given} given */
+/** How many drives the given generation took, where they count and are past the budget before anybody begins. @param {Exercise} exercise @param {Given} given */
 const tooMany = ({ aim }, { driver, history, generation }) => {
-  const drives = driver === 'evolved' ? history[generation]?.evaluations : 0;
+  const drives = driver === 'evolved' || generation > 0 ? history[generation]?.evaluations : 0;
   return aim?.drives && drives > aim.drives ? drives : 0;
 };
 

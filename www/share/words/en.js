@@ -198,7 +198,7 @@ export const uncountedText = (groups) =>
 
 /** @param {number} drives */
 export const manyText = (drives) =>
-  `What is given has taken ${drives} drives already: allow more, or choose “By hand” first.`;
+  `What is given has taken ${drives} drives already: allow more, or give generation 0 by hand.`;
 
 /** @param {number} count @param {number} most */
 export const countText = (count, most) => `${count} of at most ${most} characters`;

@@ -201,7 +201,7 @@ export const uncountedText = (groups) =>
 
 /** @param {number} drives */
 export const manyText = (drives) =>
-  `주어진 것만으로 이미 ${drives}회 주행했습니다. 횟수를 늘리거나 먼저 “직접 조정”을 고르십시오.`;
+  `주어진 것만으로 이미 ${drives}회 주행했습니다. 횟수를 늘리거나, 0세대에서 “직접 조정”으로 내십시오.`;
 
 /** @param {number} count @param {number} most */
 export const countText = (count, most) => `최대 ${most}자 중 ${count}자`;
