@@ -73,6 +73,8 @@ test('a document, a zip or a picture is not quoted, but its row says what to do'
     ['b.zip', `PK\x03\x04${'x'.repeat(300_000)}`],
     ['c.pdf', '%PDF-1.7\n%x'],
     ['d.png', png],
+    ['e.jpg', new Uint8Array([0xff, 0xd8, 0xff, 0xe0, 0x00, 0x10, 0x4a, 0x46, 0x49, 0x46, 0x00])],
+    ['f.hwp', new Uint8Array([0xd0, 0xcf, 0x11, 0xe0, 0xa1, 0xb1, 0x1a, 0xe1])],
     ['all/Ann_101_assignsubmission_file/e.png', png],
   ]);
   for (const row of rows) assert.match(remarksOf(row, rows).join(), /^no text but a document[^“]*receipt$/);

@@ -66,7 +66,7 @@ const hrefIn = (tag) => /\bhref=["']([^"'<>]*)["']/i.exec(tag)?.[1] ?? '';
 const countOf = (text, what) => text.split(what).length - 1;
 
 /** A document, a zip or a picture: its bytes say nothing. @param {string} text */
-const isNoText = (text) => /^[^]{0,99}[\0-\x08\x0e-\x1a]|^%PDF-/.test(text);
+const isNoText = (text) => /^%PDF-|(?!\s)\p{Cc}/u.test(text.slice(0, 100));
 
 /** @param {string} text */
 const beginning = (text) => tidyText(text).slice(0, 80);
