@@ -6,7 +6,7 @@
 
 import math
 
-KX, KY, KTHETA = 10, 10, 10              # kx (1/s), ky (1/(m² s)), kθ (rad/s)
+KX, KY, KTHETA = 10, 10, 10              # kx (1/s), ky (1/(m² s)), kθ (rad/s); lengths in m only: ω has a hidden 1/m²
 V_R, W_R = 0, 0                          # how the goal moves: m/s, rad/s
 DT = 0.01                                # s from one command to the next
 SPEED, TURN_RATE = 2, 6.283185307179586  # limits of velocity: m/s, rad/s

@@ -50,6 +50,21 @@ test('the single terms add up to what the core asks for, also next to the singul
   assert.ok(largest > 1e6, 'a drive comes to where the program no longer divides');
 });
 
+test('kx alone steers towards the goal’s line where the robot faces less than 90° off the goal’s direction', () => {
+  const goal = { x: 2, y: 2, theta: 0 };
+  for (const degrees of [-60, -30, 30, 60, 120, 150, 170]) {
+    const theta = (degrees * Math.PI) / 180;
+    for (const x of [0, 4]) {
+      const own = { ...paper, goal, starts: [{ x, y: 1.5, theta }] };
+      const [{ error }] = samples(own, [3, 0, 0]);
+      const { angular, linear } = pushesOf(own, [3, 0, 0], error);
+      // How fast the robot's way towards the line bends: its speed times its turn rate, seen across the line.
+      const bend = sumsOf({ linear, angular }).reduce((product, one) => product * one, Math.cos(theta));
+      assert.equal(bend > 0, Math.abs(degrees) < 90, `${degrees}° from ${x}`);
+    }
+  }
+});
+
 test('each gain alone brings its own error to zero and leaves the others', () => {
   const { error } = seen(step.link).first;
   for (const part of [error.x, error.y, error.theta]) assert.ok(Math.abs(part) > 0.5);

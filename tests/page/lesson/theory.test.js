@@ -41,6 +41,28 @@ test('where sin θe is 0 and ye is not, V may rise at once', () => {
   }
 });
 
+test('the drive of the step leaps over sin θe = 0 beside the goal’s line, and turns ever faster until then', () => {
+  const all = samplesOf(stability.link);
+  const next = all.findIndex(({ error }) => error.theta < 0);
+  const { error, time } = all[next - 1];
+  assert.ok(error.theta > 0.01 && all[next].error.theta < -0.01 && error.y > 0.3 && time < 0.3);
+  const rates = all.slice(0, next).map(({ command }) => command.angular);
+  const least = rates.indexOf(Math.min(...rates));
+  for (let i = least + 1; i < next; i++) assert.ok(rates[i] > rates[i - 1], `${i}`);
+  assert.ok(rates[next - 1] > 2 * rates[least]);
+});
+
+test('backwards on the goal’s line the robot comes to the saddle, and stands there', () => {
+  const { experiment, handGains } = opened(stability.link);
+  const goal = { ...experiment.goal, theta: 0 };
+  for (const ahead of [-1.5, 2]) {
+    const starts = [{ ...goal, x: goal.x + ahead, theta: Math.PI }];
+    const all = samples({ ...experiment, goal, starts }, handGains ?? [0, 0, 0]);
+    const last = all.find(({ time }) => time >= 4) ?? all[0];
+    assert.ok(Math.abs(last.error.x) < 1e-3 && Math.abs(last.lyapunov - 2) < 1e-3, JSON.stringify(last));
+  }
+});
+
 test('with ky below zero V falls and rises again, as its rate says, wherever rounding puts it', async () => {
   const link = linkOf(stability, 'negative');
   const all = samplesOf(link);

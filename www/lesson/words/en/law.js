@@ -9,7 +9,7 @@ export const law = {
 
 A *gain* says how hard one error pushes. Each bar is one push at this moment, on the speed {v} or on the turn rate {w}. Added up, they are what the *law* asks for; the law is the rule that turns the errors into {v} and {w}. The bars in the picture show them. Beyond the dashed lines, in grey: more than the wheels can do.`,
     written: `The time under the picture, the robot’s *clock*, stands where the law asks for most. Move it, and the bars follow the robot; move a slider, and they change at once. The formula, the paper’s (5) for a goal at rest, says the same: point at a term, or touch it, and its slider, its pushes and its errors light up.`,
-    each: `So, first of all, each gain looks after one error: {kx} after {xe}, {kt} after {te}, {ky} after {ye}. But {kx} has a second push, the last term of {w}: while {xe} is left, it also steers the robot towards the goal’s line. (What it and the term with {ky} cancel, the next step shows.) Now two gains together.`,
+    each: `So, first of all, each gain looks after one error: {kx} after {xe}, {kt} after {te}, {ky} after {ye}. But {kx} has a second push, the last term of {w}: while {xe} is left, and the robot faces less than 90° off the goal’s direction, it also steers it towards the goal’s line. (What it and the term with {ky} cancel, the next step shows.) Now two gains together.`,
     sideways: `Why does the {ky} term divide by sin {te}? The robot cannot drive sideways. To get over to the side it must turn a little, and drive; the less it has turned, the farther it must drive. When it has hardly turned at all, the law asks for the impossible, and most of all in {w}, where the term that goes with this one divides by the square: from the start with which this step opens, [the gains 3, 8, 5](lab&drives=hand&gains=3,8,5&start=1.5,0.5,0) ask for {=most} rad/s after {=at} s, and the wheels do {=leaves}.`,
     next: `Five terms, and none spoils the work of another? They were made that way. There is one quantity that they only bring down, as long as the gains are above zero and the wheels do what is asked at every instant.`,
   },
@@ -64,6 +64,6 @@ A *gain* says how hard one error pushes. Each bar is one push at this moment, on
     'Where {ye} is 0, all terms but two are 0: {kx} drives and {kt} turns.',
     'A bar with an arrow leaves the picture: the law asks for more than fits into it, and mostly for more than the wheels can do.',
     'In {w} each gain has a term, in {v} only {kx} and {ky} have one.',
-    'What to do at sin {te} = 0 the paper does not say. Here its size is never taken as less than 0.000001. That the law breaks down somewhere is no clumsiness: no smooth law that looks at the posture alone can park such a robot (Brockett 1983).',
+    'What to do at sin {te} = 0 the paper does not say. Here its size is never taken as less than 0.000001. That the law breaks down somewhere is no clumsiness: no smooth law that looks at the posture alone can park such a robot (Brockett 1983). But that asks for no division by zero far from the goal: sin {te} below the line is this law’s own choice.',
   ],
 };

@@ -10,7 +10,7 @@ export const stability = {
     falls: `Now the trick. The law was *built* so that {V} can only fall. To see it, one needs to know how the errors move. A dot over a symbol means: how fast it changes. The robot itself moves by its {v} and its {w}:`,
     errors: `Differentiate (3), put (2) in, and this is left. {vr} and {wr} are the goal’s own speed and turn rate, 0 for a goal at rest:`,
     chain: `How fast does {V} change, if the goal is at rest? By the chain rule:`,
-    left: `With the law (5) put in, all terms but three cancel. What is left, the rate at which {V} changes, proves for a goal at rest the paper’s Theorem 1, that the errors go to zero; the paper refers to an earlier one for it, so this proof is ours:`,
+    left: `With the law (5) put in, all terms but three cancel. What is left is the rate at which {V} changes. For a goal at rest it is the core of the paper’s Theorem 1, that the errors go to zero; the paper refers to an earlier one for the proof, so this one is ours:`,
     parts: `Three parts, one for each gain. Each is a square or a fourth power with a minus sign, so as long as its gain is positive, the part is never positive; and all three are zero together only at the bottom and at one other spot, which the last note below describes. In the figure the three are stacked, from 0 outwards: that of {kx}, that of {ky}, that of {kt}; the line is how fast {V} really changes. Here no limit interferes, and the two agree. So the robot rolls down until it is at the bottom of the bowl. Such a {V} is called a *Lyapunov function*.`,
     before: `Before this law there was a simpler one, by Kanayama and others. It follows a moving goal well. But its {w} is {wr} plus {vr} times a correction: the robot turns only while the goal *moves*.`,
     next: `The proof says that {V} never rises. From another start the program shows that at times it does. Both are right: the next step tells why.`,
@@ -68,9 +68,9 @@ export const stability = {
     kanayamaTracks: 'Kanayama’s rule with the same moving goal and limits: it follows, too',
   },
   notice: [
-    'The two terms with {ky} cancel only where sin {te} is not 0. Where it is 0 and {ye} is not, the law has no value, and what our program puts in its place can raise {V} at once: [such a start](curves&view=stability&drives=hand&gains=3,8,5&start=2,1,45deg&limits.speed=off&limits.turnRate=off).',
+    'The two terms with {ky} cancel only where sin {te} is not 0. Where it is 0 and {ye} is not, the law has no value, and what our program puts in its place can raise {V} at once: [such a start](curves&view=stability&drives=hand&gains=3,8,5&start=2,1,45deg&limits.speed=off&limits.turnRate=off). Hardly a drive avoids that: the one with which this step opens soon comes to sin {te} = 0, still beside the goal’s line and turning ever faster, and the program leaps over it between two samples. What happens just there the proof does not say.',
     'Early the part of {kx} is the largest: most of {V} is lost by driving ahead.',
     'Close to the goal all parts are tiny, and that of {ky} the tiniest: the fourth power of a small number is very small. The last centimetres to the side take long. The dotted curve is that of the dotted drive, for comparison; what a generation is, step 7 tells.',
-    'One spot is flat without being the bottom: [on the goal, turned by 180°](curves&view=stability&drives=hand&gains=3,1,5&start=2,2,-135deg). There every term of the law is zero, and {V} stays at 2. It is no hilltop but a *saddle*: wherever the robot moves, {V} rises; only turning leads down. For seconds nothing happens, until rounding in the last digits has tipped the balance.',
+    'One spot is flat without being the bottom: [on the goal, turned by 180°](curves&view=stability&drives=hand&gains=3,1,5&start=2,2,-135deg). There every term of the law is zero, and {V} stays at 2. It is no hilltop but a *saddle*: wherever the robot moves, {V} rises; only turning leads down. For seconds nothing happens, until rounding in the last digits has tipped the balance. By the law every robot that starts on the goal’s line, facing exactly backwards, ends there too.',
   ],
 };

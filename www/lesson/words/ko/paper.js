@@ -4,7 +4,7 @@ import { costText } from '../../../words/ko/numbers.js';
 export const paper = {
   texts: {
     same: `지금까지 본 로봇과 법칙, EP는 1995년에 김종환(Kim)과 심현식(Shim)이 쓴 논문에서 왔습니다. 논문에는 주행 네 개의 이득과 J가 실려 있습니다. 가르치는 페이지라면 그 주행을 다시 보여 줄 수 있어야 합니다. 정말 그럴 수 있을까요?`,
-    order: `*순서*는 논문과 같습니다. 두 가지 제한 모두에서 진화한 이득이 임의 이득보다 낫습니다. 속도 제한에서 임의 이득의 비용은 진화한 이득의 {=velocity}배, 논문에서는 {=paperVelocity}배입니다. 가속도 제한에서는 논문에서 {=paperAcceleration}배, 여기서는 아예 도착하지 못해 {=acceleration}배입니다. 이 페이지의 진화도 논문과 비슷한 크기의 {kx}와 {kt}를 찾고, 논문에서처럼 {ky}를 0 가까이 보냅니다.
+    order: `*순서*는 논문과 같습니다. 두 가지 제한 모두에서 진화한 이득이 임의 이득보다 낫습니다. 속도 제한에서 임의 이득의 비용은 진화한 이득의 {=velocity}배, 논문에서는 {=paperVelocity}배입니다. 가속도 제한에서는 논문에서 {=paperAcceleration}배, 여기서는 아예 도착하지 못해 {=acceleration}배입니다. 이 페이지의 진화도 논문과 비슷한 크기의 {kx}와 {kt}를 찾고(가속도 제한에서는 {kx}가 3분의 1쯤 작음), 논문에서처럼 {ky}를 0 가까이 보냅니다.
 
 *수치 자체*는 논문과 다릅니다. 정직한 프로그램이라면 같게 만들 수 없습니다. J는 논문에 없는 가중치와 규칙에 따라 달라지기 때문입니다. 이 페이지는 논문에 맞추려고 값을 조정하지 않았습니다. 논문에 있는 것과 이 페이지가 하는 것은 다음과 같습니다.`,
     printed: `에너지를 식 (9)에 적힌 대로 *명령한* 속도로 계산하면, 여기서 네 주행의 J는 {=printed}입니다.`,
@@ -51,7 +51,7 @@ export const paper = {
     ],
     ['최대 가속도', '5와 “5”', `${e.acceleration} m/s², ${e.turnAcceleration}π rad/s²`],
     ['가중치 W, R', '양수라고만 함', `${e.weights}; ${e.velocityWeights}`],
-    ['벌점 κ', '양수라고만 함', e.penalty],
+    ['벌점 κ', 'k, 양수라고만 함', e.penalty],
     ['주행의 끝', '“최종 또는 도착 시각”', `${e.position} cm와 ${e.heading} 안, 또는 ${e.horizon}초 뒤`],
     ['로봇 수 N', '언급 없음', e.population],
     ['상대 수', e.opponents, e.opponents],

@@ -156,7 +156,7 @@ export const contestColumns = [
   },
   {
     text: 'p',
-    hint: 'Mann–Whitney, two-sided, by the same order; Holm’s correction for the number of lines. It ignores that the seeds are shared, so it is cautious',
+    hint: 'Mann–Whitney, two-sided, by the same order; Holm’s correction for the number of lines. It ignores that the seeds are shared, so it is cautious at a target that is reached early',
   },
 ];
 /** The columns in a line; their hints have it in full. */

@@ -150,7 +150,7 @@ export const contestColumns = [
   },
   {
     text: 'p',
-    hint: 'A12와 같은 우열 기준으로 계산한 만–휘트니 양측 검정, 줄 수에 대한 홀름 보정. 같은 시드를 쓴다는 것을 고려하지 않으므로, 여기서는 보수적인 값',
+    hint: 'A12와 같은 우열 기준으로 계산한 만–휘트니 양측 검정, 줄 수에 대한 홀름 보정. 같은 시드를 쓴다는 것을 고려하지 않으므로, 일찍 이르는 목푯값에서는 보수적인 값',
   },
 ];
 /** The columns in a line; their hints have it in full. */

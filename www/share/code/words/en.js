@@ -41,7 +41,7 @@ export const comments = {
   run: (/** @type {string} */ command) => `To run it: ${command}`,
 
   gains: {
-    'shim-kim': 'kx (1/s), ky (1/(m² s)), kθ (rad/s)',
+    'shim-kim': 'kx (1/s), ky (1/(m² s)), kθ (rad/s); lengths in m only: ω has a hidden 1/m²',
     kanayama: 'kx (1/s), ky (rad/m²), kθ (rad/m)',
   },
   referenceVelocity: 'how the goal moves: m/s, rad/s',

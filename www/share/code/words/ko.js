@@ -42,7 +42,7 @@ export const comments = {
   run: (/** @type {string} */ command) => `실행: ${command}`,
 
   gains: {
-    'shim-kim': 'kx (1/s), ky (1/(m² s)), kθ (rad/s)',
+    'shim-kim': 'kx (1/s), ky (1/(m² s)), kθ (rad/s); 길이는 m로만: ω에는 1/m²가 숨어 있음',
     kanayama: 'kx (1/s), ky (rad/m²), kθ (rad/m)',
   },
   referenceVelocity: '목표의 속도: m/s, rad/s',
