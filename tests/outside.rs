@@ -119,6 +119,7 @@ fn numbers_side_by_side_are_what_they_would_be_in_lists() {
     for (column, expected) in [
         (vec![0; 4], "starts must be three numbers (x, y, θ) for each posture, but was 4 numbers"),
         (vec![], "starts must be a list of 1 to 10000 postures, but was a list of 0"),
+        (vec![0; 30_001], "starts must be at most 30000 numbers, but was a list of 30001"),
     ] {
         assert_eq!(starts(json!({ "column": column })), Err(expected.into()));
     }

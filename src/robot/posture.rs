@@ -77,7 +77,7 @@ impl Input for Vec<Posture> {
     fn read<S: Source>(&mut self, given: &S, place: Place<'_>, allowed: &Allowed) -> Result<()> {
         let most = allowed.max as usize;
         let expected = || Text::from("an array of ") + allowed.min + " to " + allowed.max;
-        if let Some(numbers) = given.column(place, 3 * most)? {
+        if let Some(numbers) = given.column(place, most.saturating_mul(3))? {
             let postures = numbers.chunks_exact(3);
             if !postures.remainder().is_empty() {
                 let expected = "three numbers (x, y, θ) for each posture";

@@ -56,7 +56,8 @@ record! { input
 }
 
 impl Experiment {
-    /// Takes over what is given; every field that is left out stays as it is. Numbers are checked by [`Self::validate`].
+    /// Takes over what is given; every field that is left out stays as it is. Numbers are checked by
+    /// [`Self::validate`]. After an error it is read in part.
     pub fn read<S: Source>(&mut self, given: &S) -> Result<()> {
         Input::read(self, given, Place::Experiment, &Allowed::ANY)
     }

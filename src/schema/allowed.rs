@@ -24,7 +24,8 @@ pub struct Refusal {
 }
 
 impl InvalidInput {
-    pub(crate) fn new(
+    /// What a source of one's own says where it refuses ([`Source::column`](super::Source::column)).
+    pub fn new(
         field: impl Into<String>,
         expected: impl Into<Text>,
         found: impl Into<Text>,
@@ -104,7 +105,7 @@ impl Allowed {
         Self { nullable: true, ..self }
     }
 
-    /// Whether a value is among them, and whole where it must be; NaN is in no range.
+    /// Whether a value is among them, and whole where it must be; NaN is in [`Self::ANY`] alone.
     pub fn allows(&self, value: f64) -> bool {
         let within = value >= self.min && value <= self.max;
         *self == Self::ANY || (within && (!self.integer || value.fract() == 0.0))

@@ -68,6 +68,8 @@ struct Normal {
     mean: Vector,
     sigma: f64,
     covariance: Matrix,
+    /// The roots of its eigenvalues, and its eigenvectors.
+    axes: (Vector, [Vector; 3]),
     /// p_σ, along which the steps of the mean are summed up for the length of the next ones.
     length_path: Vector,
     /// p_c, the same for their shape.
@@ -128,19 +130,14 @@ impl Rates {
 impl Normal {
     fn new(mean: Vector, sigma: f64) -> Self {
         let [length_path, shape_path] = [[0.0; 3]; 2];
-        Self { mean, sigma, covariance: UNIT, length_path, shape_path, moves: 0 }
-    }
-
-    /// The roots of the eigenvalues of the covariance, and the eigenvectors.
-    fn axes(&self) -> (Vector, [Vector; 3]) {
-        let (values, vectors) = eigen(&self.covariance);
-        (values.map(|value| 0.0_f64.at_least(value).sqrt()), vectors)
+        let axes = axes(&UNIT);
+        Self { mean, sigma, covariance: UNIT, axes, length_path, shape_path, moves: 0 }
     }
 
     /// Draws y = C^½ z of a generation, one for each trial m + σ y.
     fn steps(&self, e: &EvolutionSettings, generation: u32) -> Vec<Vector> {
         let mut rng = stream(e.seed, Purpose::Steps, generation);
-        let (roots, vectors) = self.axes();
+        let (roots, vectors) = self.axes;
         let step = |_| spectral(roots, &vectors, [0; 3].map(|_| StandardNormal.sample(&mut rng)));
         (0..e.population).map(step).collect()
     }
@@ -151,7 +148,7 @@ impl Normal {
     }
 
     fn ellipse(&self) -> Ellipse {
-        let (roots, vectors) = self.axes();
+        let (roots, vectors) = self.axes;
         let order = in_order(3, &|i, j| roots[j].total_cmp(&roots[i]));
         let axis = |i: u32| vectors[i as usize].map(|x| self.sigma * roots[i as usize] * x);
         Ellipse { mean: self.mean.into(), axes: order.into_iter().map(axis).collect() }
@@ -162,7 +159,7 @@ impl Normal {
         let rates = Rates::new(ranked.len());
         let weighted = || rates.weights.iter().zip(ranked);
         let step = weighted().fold([0.0; 3], |sum, (weight, y)| plus(sum, *weight, *y));
-        let (roots, vectors) = self.axes();
+        let (roots, vectors) = self.axes;
         let inverse = roots.map(|root| if root > 0.0 { 1.0 / root } else { 0.0 });
         let whitened = spectral(inverse, &vectors, step);
         let Rates { effective, length, damping, shape, rank_one, rank_mu, .. } = rates;
@@ -188,15 +185,23 @@ impl Normal {
                 + rank_one * shape_path[i] * shape_path[j]
                 + rank_mu * steps
         };
+        let covariance = [0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i.min(j), i.max(j))));
         Self {
             mean: plus(self.mean, self.sigma, step),
             sigma: self.sigma * libm::exp(1.0_f64.at_most(growth)),
-            covariance: [0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i.min(j), i.max(j)))),
+            covariance,
+            axes: axes(&covariance),
             length_path,
             shape_path,
             moves,
         }
     }
+}
+
+/// The roots of the eigenvalues of a covariance, and its eigenvectors.
+fn axes(covariance: &Matrix) -> (Vector, [Vector; 3]) {
+    let (values, vectors) = eigen(covariance);
+    (values.map(|value| 0.0_f64.at_least(value).sqrt()), vectors)
 }
 
 #[cfg(test)]
@@ -224,7 +229,7 @@ mod tests {
         let mut one = Normal::new([1.0, 2.0, 3.0], 0.5);
         let mut other = Normal::new(turned(one.mean), 0.5);
         for _ in 0..50 {
-            let (roots, vectors) = one.axes();
+            let (roots, vectors) = one.axes;
             let mut steps: Vec<Vector> = (0..10)
                 .map(|_| spectral(roots, &vectors, [0; 3].map(|_| StandardNormal.sample(&mut rng))))
                 .collect();
@@ -264,8 +269,9 @@ mod tests {
     fn where_it_has_no_width_it_stays() {
         let mut flat = Normal::new([1.0; 3], 0.5);
         flat.covariance[2][2] = 0.0;
+        flat.axes = axes(&flat.covariance);
         let next = flat.moved(&[[0.1, -0.2, 0.0]; 7]);
-        assert_eq!((next.mean[2], next.length_path[2], next.axes().0[2]), (1.0, 0.0, 0.0));
+        assert_eq!((next.mean[2], next.length_path[2], next.axes.0[2]), (1.0, 0.0, 0.0));
         assert!(next.sigma.is_finite() && next.mean[0] > 1.0 && next.mean[1] < 1.0);
     }
 

@@ -26,7 +26,7 @@ pub trait Search: Send + Sync {
     /// The generation once each new solution has cost so much. From here on the search stands behind it.
     ///
     /// # Panics
-    /// If there is not one cost for each of them, or if the brood is not what this search was just asked for.
+    /// If there is not one cost for each of them. It may panic, too, if the brood is not what this search was just asked for.
     fn tell(&mut self, e: &EvolutionSettings, brood: Brood, costs: &[f64]) -> GenerationRecord;
 
     /// What the last generation left, best ranked first.
@@ -86,11 +86,11 @@ impl Found {
 /// What such a search says of it.
 macro_rules! found {
     ($field:tt) => {
-        fn population(&self) -> &[$crate::search::Individual] {
+        fn population(&self) -> &[$crate::search::individual::Individual] {
             &self.$field.population
         }
 
-        fn best(&self) -> $crate::search::Individual {
+        fn best(&self) -> $crate::search::individual::Individual {
             self.$field.best()
         }
 

@@ -62,10 +62,16 @@ impl Source for Given<'_> {
         }
     }
 
-    fn column(&self, _: Place<'_>, most: usize) -> Result<Option<Vec<f64>>, InvalidInput> {
-        let column = self.0.and_then(|value| value.get("column")).and_then(Value::as_array);
-        assert!(column.is_none_or(|list| list.len() <= most), "more are refused by the boundary");
-        Ok(column.map(|list| list.iter().map(|x| x.as_f64().expect("a number")).collect()))
+    fn column(&self, place: Place<'_>, most: usize) -> Result<Option<Vec<f64>>, InvalidInput> {
+        let Some(list) = self.0.and_then(|value| value.get("column")).and_then(Value::as_array)
+        else {
+            return Ok(None);
+        };
+        let numbers: Option<Vec<f64>> = list.iter().map(Value::as_f64).collect();
+        let expected = format!("at most {most} numbers");
+        let refused =
+            || InvalidInput::new(place.to_string(), expected, format!("a list of {}", list.len()));
+        numbers.filter(|numbers| numbers.len() <= most).map(Some).ok_or_else(refused)
     }
 
     fn length(&self, _: bool) -> Option<usize> {
