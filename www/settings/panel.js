@@ -161,7 +161,7 @@ function followKeys(panel, button, store, actions, hasLab) {
     if (event.defaultPrevented || document.querySelector('dialog[open]')) return;
     const target = /** @type {Node} */ (event.target);
     const isOurs = panel.contains(target) || target === button || target === document.body;
-    if (event.key === 'Escape' && isOurs && store.get().settings.open) {
+    if (event.key === 'Escape' && isOurs && hasLab(store.get()) && store.get().settings.open) {
       event.preventDefault();
       actions.openSettings(false);
       button.focus();

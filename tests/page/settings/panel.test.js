@@ -99,6 +99,9 @@ pageTest(
     await page.click('#page-park');
     await page.until('Park is there', () => document.getElementById('park-count')?.checkVisibility());
     assert.equal(await isThere(), false);
+    // There is nothing there that Escape could close.
+    await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
+    await page.press(Key.ESCAPE);
     await page.click('#page-curves');
     await page.until('it is there again', () => document.getElementById('settings')?.checkVisibility());
   },

@@ -1,6 +1,6 @@
 // The yard: one set of gains drives from 32 starts around the goal, those that Training evolves on too.
 import { isLongDrive } from '../../core/bounds.js';
-import { rememberEach } from '../../kit/memo.js';
+import { remember, rememberEach } from '../../kit/memo.js';
 import { createSets } from '../../parts/training/sets.js';
 import { taskText } from './tally.js';
 
@@ -15,8 +15,12 @@ function createYard(engine) {
   /** @type {Map<string, Yard>} */
   const known = new Map();
 
-  /** @param {Experiment} experiment @returns {Experiment} */
-  const experimentOf = (experiment) => ({ ...experiment, starts: setsOf(experiment).circle });
+  const experimentOf = remember(
+    /** @returns {Experiment} */ (/** @type {Experiment} */ experiment) => ({
+      ...experiment,
+      starts: setsOf(experiment).circle,
+    }),
+  );
 
   return {
     experimentOf,
