@@ -19,14 +19,11 @@ import { Failure, isProgram, lastChange, run, runPackage, step, task, top } from
 import { installTools } from './tools.mjs';
 
 /** Of the core, and of what stands beside it in pkg/. What stands in src/ in JavaScript goes with it as it is. */
-const sources = [
+const sources = () => [
   ...readdirSync(join(top, 'src'))
     .filter((name) => !/\.(js|d\.ts)$/.test(name))
     .map((name) => join('src', name)),
-  'Cargo.toml',
-  'Cargo.lock',
-  '.cargo',
-  '.tasks/glue.mjs',
+  ...['Cargo.toml', 'Cargo.lock', '.cargo', '.tasks/glue.mjs', '.tasks/build.mjs', 'package-lock.json'],
 ];
 const wasm = 'pkg/ep_locomotion_bg.wasm';
 /** The core for hosts without JavaScript, which the wheel of python/ holds. */
@@ -62,7 +59,7 @@ export const buildBytes = () =>
  * @param {() => Promise<void>} build
  */
 async function unlessBuilt(module, stamp, build) {
-  const sourceTime = String(lastChange(...sources));
+  const sourceTime = String(lastChange(...sources()));
   const built = existsSync(stamp) && readFileSync(stamp, 'utf8') === sourceTime;
   const ours = existsSync(module) && lastChange(module) <= lastChange(stamp);
   if (built && ours) return;
@@ -100,7 +97,8 @@ const withoutHome = `target.wasm32-unknown-unknown.rustflags=[${JSON.stringify(r
 
 /** Puts an optimised module in the place of this one. @param {string} wasm */
 export async function optimise(wasm) {
-  const optimised = `${wasm}.optimised`;
+  // Two may be at it.
+  const optimised = `${wasm}.${process.pid}`;
   await runPackage('binaryen/bin/wasm-opt', ['-O3', ...copying, ...features, wasm, '-o', optimised]);
   renameSync(optimised, wasm);
 }

@@ -3,6 +3,7 @@
 //   node .tasks/examples.mjs   after npm run build
 import { cpSync, existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
+import { pythons } from '../tests/page/harness/engines.js';
 import { buildBytes } from './build.mjs';
 import { ask, Failure, isProgram, run, step, task, top } from './run.mjs';
 
@@ -23,7 +24,9 @@ export const python = join(
 /** The book, with the site beside it as ep/. */
 export const book = join(top, output, 'book', '_build', 'html');
 
-const isInstalled = () => existsSync(stamp) && readFileSync(stamp, 'utf8') === wanted();
+/** What is installed, in a folder that has not been moved since, and by a Python that is still there. */
+const installed = () =>
+  existsSync(stamp) && ask(python, ['-c', 'import jupyter_book']) !== null ? readFileSync(stamp, 'utf8') : '';
 
 /** All that is to be installed. */
 const wanted = () => [requirements, optimisers].map((file) => readFileSync(file, 'utf8')).join('');
@@ -40,36 +43,40 @@ export const absentPython = {
 /** A Python that can install packages, or null. */
 export function findPython() {
   const works = 'import sys, venv, ensurepip; assert sys.version_info >= (3, 11)';
-  return ['python3', 'python', 'py'].find((name) => ask(name, ['-c', works]) !== null) ?? null;
+  return pythons.find((name) => ask(name, ['-c', works]) !== null) ?? null;
 }
 
 /** Installs what is missing, and builds the book, neither of which needs the site. @param {string} program */
 export async function prepareExamples(program) {
-  if (!isInstalled()) {
-    await step('installing the Python packages of the examples', () => install(program), '1 minute');
+  const before = installed();
+  if (before !== wanted()) {
+    const isBegun = before === readFileSync(requirements, 'utf8');
+    await step('installing the Python packages of the examples', () => install(program, isBegun), '1 minute');
   }
   await step('building the book', async () => {
     rmSync(output, { recursive: true, force: true });
     const to = ['--path-output', `${output}/book`];
-    const program = join(dirname(python), 'jupyter-book');
-    await run(program, ['build', 'examples/book', ...to, '--warningiserror', '--quiet'], {
-      keepColours: false,
-    });
+    // Not its program, which names the folder in which it was installed.
+    const book = ['-c', 'from jupyter_book.cli.main import main; main()', 'build', 'examples/book'];
+    await run(python, [...book, ...to, '--warningiserror', '--quiet'], { keepColours: false });
   });
 }
 
-/** @param {string} program */
-async function install(program) {
-  rmSync(environment, { recursive: true, force: true });
-  await run(program, ['-m', 'venv', environment]);
+/** @param {string} program @param {boolean} isBegun whether only the optimisers are lacking */
+async function install(program, isBegun) {
   const packages = ['install', '--no-compile', '--no-deps', '--requirement'];
-  await pip(...packages, requirements);
+  if (!isBegun) {
+    rmSync(environment, { recursive: true, force: true });
+    await run(program, ['-m', 'venv', environment]);
+    await pip(...packages, requirements);
+    writeFileSync(stamp, readFileSync(requirements, 'utf8'));
+  }
   try {
     await pip(...packages, optimisers, '--only-binary', ':all:');
+    writeFileSync(stamp, wanted());
   } catch {
     console.log(`Absent, and what needs them was not tested: the packages of ${optimisers}`);
   }
-  writeFileSync(stamp, wanted());
 }
 
 /** What needs the site: the book shows its figures, the wheel holds its page, and a core of its own. */
@@ -77,11 +84,14 @@ export async function finishExamples() {
   await buildBytes();
   await step('building the wheel for Python', async () => {
     cpSync('dist', join(book, 'ep'), { recursive: true });
+    for (const name of wheels()) rmSync(join(output, name));
     await pip('wheel', '--no-deps', '--no-build-isolation', '--wheel-dir', output, './python');
-    const [wheel] = readdirSync(output).filter((name) => name.endsWith('.whl'));
+    const [wheel] = wheels();
     await pip('install', '--no-deps', '--force-reinstall', join(output, wheel));
   });
 }
+
+const wheels = () => readdirSync(output).filter((name) => name.endsWith('.whl'));
 
 /** @param {string[]} args */
 const pip = (...args) => run(python, ['-m', 'pip', '--quiet', '--disable-pip-version-check', ...args]);

@@ -151,8 +151,8 @@ await task(async () => {
     options: { site: { type: 'string', default: 'dist' }, only: { type: 'string', default: '' } },
   });
   needBuilt(values.site);
-  const served = await serveCompressed(values.site);
   const driver = await openBrowser();
+  const served = await serveCompressed(values.site);
   const over = { all: 0, core: 0 };
   try {
     await driver.manage().setTimeouts({ script: 120_000, pageLoad: 120_000 });

@@ -24,9 +24,9 @@ const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.l
 
 /** @param {string} address @param {Form} form @returns {Promise<Result>} */
 async function lookOnce(address, form) {
+  const { browser } = findChromium('Lighthouse needs');
   const folder = await mkdtemp(join(tmpdir(), 'ep-locomotion-'));
   const output = join(folder, 'report.json');
-  const { browser } = findChromium('Lighthouse needs');
   try {
     await npm(
       [

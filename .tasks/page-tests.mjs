@@ -19,6 +19,10 @@ export const testFiles = () =>
 export const filesOf = (name) =>
   testFiles().filter((file) => file === `${name}.test.js` || basename(file) === `${name}.test.js`);
 
+/** Whether a file of tests wants the book or the wheel. @param {string} file */
+export const needsExamples = (file) =>
+  readFileSync(join(top, folder, file), 'utf8').includes('.tasks/examples.mjs');
+
 /** How many seconds each file took when it ran last on this machine. */
 const lastTime = join(top, '.tools', 'page-tests.json');
 /** @returns {Record<string, number>} */

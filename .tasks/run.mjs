@@ -1,7 +1,8 @@
 // What every task needs: steps with a name and a time, child processes, and failures told in one line.
 import { spawn, spawnSync } from 'node:child_process';
+import { once } from 'node:events';
 import { existsSync, readdirSync, realpathSync, statSync } from 'node:fs';
-import { setPriority } from 'node:os';
+import { getPriority, setPriority } from 'node:os';
 import { basename, dirname, join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
@@ -59,6 +60,17 @@ export async function step(name, body, usual) {
   }
 }
 
+/** The programs that run now. @type {Set<import('node:child_process').ChildProcess>} */
+const running = new Set();
+// They would go on alone.
+for (const signal of /** @type {const} */ (['SIGTERM', 'SIGHUP']))
+  process.on(signal, async () => {
+    const ended = [...running].map((child) => once(child, 'close'));
+    for (const child of running) child.kill(signal);
+    await Promise.all(ended);
+    process.exit(1);
+  });
+
 /**
  * Runs a program to its end and returns its standard output, which is shown as it comes.
  * @param {string} program
@@ -78,8 +90,10 @@ export function run(program, args, { env = {}, keepColours = true, yields = fals
         ...(next ? [/** @type {const} */ ('ipc')] : []),
       ],
     });
+    running.add(child);
+    child.on('close', () => running.delete(child));
     if (next) child.on('message', () => child.send(next()));
-    if (yields && child.pid) setPriority(child.pid, 10);
+    if (yields && child.pid) setPriority(child.pid, Math.max(10, getPriority()));
     let output = '';
     child.stdout?.setEncoding('utf8').on('data', (text) => {
       output += text;

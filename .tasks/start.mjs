@@ -16,7 +16,12 @@ await task(async () => {
   await buildCore();
   const { createServer } = await import('vite');
   const server = await createServer({ configFile: join(top, '.tasks', 'vite.config.js'), server: { port } });
-  await server.listen();
+  try {
+    await server.listen();
+  } catch (error) {
+    await server.close();
+    throw new Failure(`port ${port} cannot be had: ${error instanceof Error ? error.message : error}`);
+  }
   console.log(`\nThe page is at ${server.resolvedUrls?.local[0]}\nPress Ctrl+C to stop.`);
   rebuildOnChange();
 });

@@ -12,11 +12,14 @@ import { parseArgs } from 'node:util';
 import { findEngines } from '../tests/page/harness/engines.js';
 import { buildCore, buildSite } from './build.mjs';
 import { absentPython, areBuilt, findPython, finishExamples, prepareExamples } from './examples.mjs';
-import { filesOf, keepSeconds, lanesOf, testFiles } from './page-tests.mjs';
+import { filesOf, keepSeconds, lanesOf, needsExamples, testFiles } from './page-tests.mjs';
 import { Failure, lastChange, run, runPackage, step, stopSteps, task, top } from './run.mjs';
 import { installPackages, installTestTools, installTools } from './tools.mjs';
 
 const count = { passed: 0, failed: 0 };
+
+/** What the site is built of. */
+const siteSources = ['www', 'index.html', 'pkg', '.tasks', 'package-lock.json', 'tests/golden.json'];
 
 /** So late a frame, or an answer of a worker, comes on a machine with much to do. */
 const lateFrame = 120;
@@ -53,12 +56,22 @@ async function testNamed(names, late) {
   await installTools();
   await buildCore();
   // What is written last.
-  if (lastChange('dist/embed.js') < lastChange('www', 'index.html', 'pkg', '.tasks')) await buildSite();
-  if (files.some((file) => file.startsWith('python')) && areBuilt()) await finishExamples();
-  const all = findEngines().found;
+  if (lastChange('dist/embed.js') < lastChange(...siteSources)) await buildSite();
+  if (areBuilt() && files.some(needsExamples)) await finishExamples();
+  const { found: all, absent } = findEngines();
   const engines = process.env.ENGINES ? all : all.slice(0, 1);
   if (engines.some(isUndriven)) await installTestTools();
   await testPage(namesOf(engines), files, late);
+  const advice = engines.length > 0 ? '' : adviceOn(absent);
+  if (count.passed + count.failed === 0) throw new Failure(`nothing of it could be tested${advice}`);
+  console.log(advice);
+}
+
+/** @param {readonly { name: string, hint: string }[]} absent */
+function adviceOn(absent) {
+  return absent
+    .map(({ name, hint }) => `\nAbsent, and what needs it was not tested: ${name}; to have it: ${hint}`)
+    .join('');
 }
 
 /** @typedef {import('../tests/page/harness/engines.js').Engine} Engine */
@@ -77,9 +90,7 @@ function isUndriven({ name, driver }) {
 async function testAll({ pageOnly, isStrict, late }) {
   const { found, absent } = findEngines();
   const python = findPython();
-  const advice = [...absent, ...(python === null ? [absentPython] : [])]
-    .map(({ name, hint }) => `\nAbsent, and what needs it was not tested: ${name}; to have it: ${hint}`)
-    .join('');
+  const advice = adviceOn([...absent, ...(python === null ? [absentPython] : [])]);
   if (isStrict && advice !== '') throw new Failure(`everything is required${advice}`);
 
   const engines = pageOnly && late > 0 ? found.slice(0, 1) : found;

@@ -1,3 +1,4 @@
+import { relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { chunks } from './chunks.mjs';
@@ -52,6 +53,9 @@ const coreGiven = {
       : undefined,
 };
 
+/** What is built, and not looked at; the project may stand below a folder of such a name. @param {string} path */
+const isBuilt = (path) => /^(?:target|dist|\.tools)(?:[\\/]|$)/.test(relative(fileOf('..'), path));
+
 export default defineConfig(({ mode }) => ({
   root: fileOf('..'),
   base: './',
@@ -59,7 +63,7 @@ export default defineConfig(({ mode }) => ({
   css: { transformer: 'lightningcss', lightningcss: { drafts: { customMedia: true } } },
   // The page that one works on is the page that is built: no library warns that it is another.
   resolve: { conditions: ['module', 'browser', 'production'] },
-  server: { watch: { ignored: ['**/target/**', '**/dist/**', '**/.tools/**'] } },
+  server: { watch: { ignored: isBuilt } },
   build: {
     target: 'es2022',
     // Nothing inline, so that the strictest content security policy lets the page run.

@@ -32,7 +32,7 @@ const testTimeout = 900_000;
  * @type {(() => unknown)[]}
  */
 const endings = [];
-after(async () => {
+async function endAll() {
   for (const end of endings.reverse()) {
     try {
       await end();
@@ -40,7 +40,11 @@ after(async () => {
       console.error(error);
     }
   }
-});
+}
+after(endAll);
+// Whoever ends the tests before their end leaves no browser behind.
+for (const signal of /** @type {const} */ (['SIGTERM', 'SIGHUP']))
+  process.prependListener(signal, () => endAll().finally(() => process.exit(1)));
 
 const found = runs('page') || runs('engine') ? findEngines().found : [];
 /** @type {Promise<import('./server.js').Site> | undefined} */
@@ -74,6 +78,7 @@ function declare(engine, name, body, { moves = false, least = 0 } = {}) {
     site ??= startSite();
     const key = `${engine.browser} ${moves} ${least}`;
     let isOver = false;
+    let lost = '';
     // What takes too long would go on in the page of the next test. The signal comes at the end of every test.
     signal.addEventListener('abort', () => isOver || drivers.delete(key));
     const driver = drivers.get(key) ?? startBrowser(engine, moves, least);
@@ -84,10 +89,13 @@ function declare(engine, name, body, { moves = false, least = 0 } = {}) {
       await body(page);
     } finally {
       // A page that goes on moving would slow the tests of the other engines; a browser that is lost, fail all others.
-      await page.leave().catch(() => drivers.delete(key));
+      await page.leave().catch((error) => {
+        drivers.delete(key);
+        lost = `the page cannot be left: ${error}`;
+      });
       isOver = true;
     }
-    assert.equal(page.uncaught, '', 'something was thrown that nobody has caught');
+    assert.equal(page.uncaught + lost, '', 'something was thrown that nobody has caught');
   });
 }
 

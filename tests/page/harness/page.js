@@ -4,7 +4,7 @@ import { setTimeout as delay } from 'node:timers/promises';
 import { Command, Name } from 'selenium-webdriver/lib/command.js';
 import { findOne, look, obstaclesOf, onceDrawn } from './inside.js';
 import { resize } from './screen.js';
-import { axeAddress } from './server.js';
+import { axeAddress, blankBeside } from './server.js';
 
 /** @typedef {import('selenium-webdriver').WebDriver} WebDriver */
 /** @typedef {{ x: number, y: number }} Point CSS pixels from the top left corner of an element */
@@ -51,7 +51,7 @@ export class Page {
 
   /** Leaves whatever is open for a page with nothing on it. */
   async leave() {
-    const { blank } = this.site;
+    const blank = blankBeside(await this.driver.getCurrentUrl()) ?? this.site.blank;
     await this.driver.get(blank);
     // A page that writes its address while it is being left makes WebKit's driver answer too early.
     this.#isOpen = true;
@@ -119,7 +119,7 @@ export class Page {
           ...args,
         )
         .catch(async (reason) => {
-          if (String(reason).includes('drawing without end')) throw reason;
+          if (/drawing without end|NoSuchSessionError|ECONNREFUSED/.test(String(reason))) throw reason;
           left = reason;
           await delay(20);
           return null;

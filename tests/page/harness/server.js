@@ -10,6 +10,13 @@ import { listen, typeOf } from './http.js';
 const folder = '/some/course/ep/';
 const collector = '/collector.js';
 const blank = '/blank';
+/** The origins of all sites that are served. @type {Set<string>} */
+const served = new Set();
+/** A page with nothing on it beside this one, if a site that is served has it: what a page has told its tab is told there alone. @param {string} address */
+export function blankBeside(address) {
+  const { origin } = new URL(address);
+  return served.has(origin) ? origin + blank : null;
+}
 const dist = fileURLToPath(new URL('../../../dist/', import.meta.url));
 /** Where pages find axe-core. */
 export const axeAddress = '/axe.js';
@@ -104,11 +111,16 @@ export async function serve(root = dist, { policy = {}, before = '', send = (_, 
     });
     response.end(content);
   });
+  const origin = `http://localhost:${port}`;
+  served.add(origin);
   return {
-    address: `http://localhost:${port}${folder}`,
-    blank: `http://localhost:${port}${blank}`,
+    address: origin + folder,
+    blank: origin + blank,
     problems,
-    close,
+    close: () => {
+      served.delete(origin);
+      return close();
+    },
   };
 }
 

@@ -187,6 +187,7 @@ export async function fuzz(count, seed) {
 if (isProgram(import.meta.url)) {
   const [count, seed] = [process.argv[2] ?? 100_000, process.argv[3] ?? Date.now() % 2 ** 31].map(Number);
   if (!(count >= 1)) throw new Error(`the number of links must be 1 or more, not ${process.argv[2]}`);
+  if (!Number.isInteger(seed)) throw new Error(`the seed must be a whole number, not ${process.argv[3]}`);
   console.log(`${count} links, ${Math.ceil(count / 100)} experiments and files, seed ${seed}`);
   const start = performance.now();
   await fuzz(count, seed);

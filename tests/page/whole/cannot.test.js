@@ -228,6 +228,10 @@ pageTest('when the core fails the page says so and how to go on, and answers not
     assert.doesNotMatch(await page.text('body'), /unreachable|RuntimeError/);
     assert.equal(await page.evaluate(() => document.getElementById('instrument')?.inert), true);
     assert.match(await page.evaluate(() => location.hash), /seed=7/);
+    // Nobody can catch it but who says so.
+    await page.leave();
+    assert.match(page.uncaught, /^uncaught: [^\n]*RuntimeError[^\n]*\n$/);
+    page.uncaught = '';
   });
 });
 
