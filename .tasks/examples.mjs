@@ -2,7 +2,7 @@
 //
 //   node .tasks/examples.mjs   after npm run build
 import { cpSync, existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { dirname, join } from 'node:path';
+import { join } from 'node:path';
 import { pythons } from '../tests/page/harness/engines.js';
 import { buildBytes } from './build.mjs';
 import { ask, Failure, isProgram, run, step, task, top } from './run.mjs';

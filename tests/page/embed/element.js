@@ -18,7 +18,7 @@ export async function inPage(page, html, body) {
     assert.deepEqual(await page.evaluate(() => Reflect.get(window, 'errors')), []);
   } finally {
     await page.leave();
-    host.close();
+    await host.close();
   }
 }
 

@@ -29,7 +29,7 @@ async function inExample(page, path, body) {
     assert.deepEqual(strangers, []);
   } finally {
     await page.leave();
-    host.close();
+    await host.close();
   }
 }
 

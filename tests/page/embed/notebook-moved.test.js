@@ -53,7 +53,7 @@ pageTest(
       assert.equal(await page.evaluate(() => Reflect.get(window, 'sent').error), '');
     } finally {
       await page.leave();
-      host.close();
+      await host.close();
     }
   },
 );

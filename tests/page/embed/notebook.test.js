@@ -157,7 +157,7 @@ if (areBuilt())
     } finally {
       kernel.end();
       await page.leave();
-      host.close();
+      await host.close();
     }
   });
 else test('the widget for notebooks', { skip: 'npm test builds it where Python is' }, () => {});
@@ -193,7 +193,7 @@ if (areBuilt())
       } finally {
         kernel.end();
         await page.leave();
-        host.close();
+        await host.close();
       }
     },
   );

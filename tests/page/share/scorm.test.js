@@ -86,7 +86,7 @@ async function onPlatform(page, html, body) {
     await body();
   } finally {
     await page.leave();
-    host.close();
+    await host.close();
   }
 }
 
