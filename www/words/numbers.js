@@ -46,8 +46,8 @@ export const powerOfTen = (power, least = -2) =>
 export function powerText(value, digits = 3) {
   if (value === 0) return '0';
   if (!Number.isFinite(value)) return beyond(value);
-  const [mantissa, power] = Number(value.toPrecision(digits)).toExponential().split('e');
-  return `${mantissa.replace('-', '−')}×10${superscript(power.replace('+', ''))}`;
+  const [mantissa, power] = value.toExponential(digits - 1).split('e');
+  return `${String(Number(mantissa)).replace('-', '−')}×10${superscript(power.replace('+', ''))}`;
 }
 
 /** @param {number} value */

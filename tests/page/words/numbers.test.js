@@ -28,6 +28,15 @@ test('every number is written as one, also what is none', () => {
     }
 });
 
+test('with a power of ten a number has the digits that count, and no others', () => {
+  for (const [value, text] of /** @type {const} */ ([
+    [1.797e308, '1.8×10³⁰⁸'],
+    [-9.996e20, '−1×10²¹'],
+    [1.25e-7, '1.25×10⁻⁷'],
+  ]))
+    assert.equal(numbers.powerText(value), text);
+});
+
 test('digits stand in groups as each language has them', () => {
   for (const whole of [0, 7, 999, 1000, -1234, 118_098, 2_097_152, 2 ** 53])
     assert.deepEqual(
