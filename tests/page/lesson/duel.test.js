@@ -64,6 +64,15 @@ test('the duel compares with the core’s evolution and random search of that se
   );
 });
 
+test('the workers are asked once for a round that two wait for, and anew for what has failed', async () => {
+  const asked = [];
+  const seedRuns = (/** @type {any[]} */ ...job) => Promise.reject(new Error(`no. ${asked.push(job)}`));
+  const broken = { ...engine, surveys: { ...engine.surveys, seedRuns } };
+  const ask = () => roundOf(broken, driven([9]), 3).catch(({ message }) => message);
+  assert.deepEqual(await Promise.all([ask(), ask()]), ['no. 1', 'no. 1']);
+  assert.equal(await ask(), 'no. 2');
+});
+
 test('who has the lowest J wins', async () => {
   const evolution = Array.from({ length: 61 }, (_, i) => 13 - i / 60);
   const random = evolution.map((cost, i) => (i < 30 ? 12.8 : cost + 0.5));

@@ -21,6 +21,13 @@ test('the yard is the mean over its starts, as the core has it', () => {
   }
 });
 
+test('the task of the duel is made once, also while another is on the stage', () => {
+  const [one, other] = [{ ...contest }, { ...contest }];
+  const first = yard.experimentOf(one);
+  yard.experimentOf(other);
+  assert.equal(yard.experimentOf(one), first);
+});
+
 test('no hand within the sliders does what evolution does in 20 to 60 generations, at a ky beyond them', () => {
   const steps = [0.01, 1.5, 3, 4.5, 6, 7.5, 9, 10.5, 12];
   const grid = steps.flatMap((kx) => steps.flatMap((ky) => steps.map((kt) => [kx, ky, kt])));

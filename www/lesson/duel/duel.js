@@ -1,4 +1,5 @@
 // You against evolution and random search: who finds the gains with the lowest J in the yard?
+import { rememberEach } from '../../kit/memo.js';
 import { sliderRange } from '../../run/drivers.js';
 import { taskText } from './tally.js';
 
@@ -61,8 +62,20 @@ export const longestOf = ({ costs, experiment }) => {
   return drivesUntil(generationsIn(drives, population), population);
 };
 
-/** Evolution and random search with a seed, both from the same first population. @param {Engine} engine @param {Duel} duel @param {number} seed @returns {Promise<Round>} */
-export async function roundOf(engine, duel, seed) {
+/** What the workers have not answered yet. @type {(engine: Engine) => Map<string, Promise<Round>>} */
+const askedOf = rememberEach(() => new Map());
+
+/** Evolution and random search with a seed, both from the same first population; who asks meanwhile waits for the same. @param {Engine} engine @param {Duel} duel @param {number} seed @returns {Promise<Round>} */
+export function roundOf(engine, duel, seed) {
+  const asked = askedOf(engine);
+  const name = JSON.stringify([duel.experiment, duel.costs.length, seed]);
+  const round = asked.get(name) ?? compute(engine, duel, seed).finally(() => asked.delete(name));
+  asked.set(name, round);
+  return round;
+}
+
+/** @param {Engine} engine @param {Duel} duel @param {number} seed @returns {Promise<Round>} */
+async function compute(engine, duel, seed) {
   const { experiment, costs } = duel;
   const { population } = experiment.evolution;
   const generations = generationsIn(longestOf(duel), population);

@@ -20,6 +20,8 @@ function createYard(engine) {
       ...experiment,
       starts: setsOf(experiment).circle,
     }),
+    // On the stage and of the duel.
+    2,
   );
 
   return {
