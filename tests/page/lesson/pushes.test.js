@@ -74,12 +74,12 @@ pageTest(
     await page.focus('#gain-ky');
     await page.press('8', Key.ENTER);
     await page.until(
-      'a curve for what is on now',
-      () => document.querySelectorAll('.strip-curve[data-term="ky"]').length === 2,
+      'a curve for what is on now, which is in the hand',
+      () => document.querySelectorAll('.strip-curve[data-term="ky"][d^="M"].lit').length === 2,
     );
     assert.notEqual(await curve(), before);
     const dashed = await page.evaluate(() =>
-      [...document.querySelectorAll('.strip-curve')].map((one) => [
+      [...document.querySelectorAll('.strip-curve[d^="M"]')].map((one) => [
         one.getAttribute('data-term'),
         one.getAttribute('stroke-dasharray'),
       ]),

@@ -100,9 +100,12 @@ function drawn(pushes, finalTime, width, height) {
     const limits = half.limit === null ? [] : [half.limit, -half.limit].filter((at) => at > low && at < most);
     const drawnCurve = (/** @type {Curve} */ { term, values }) => ({
       term,
-      path: `M${pointsOf(axes, pushes.times, values)
-        .map((point) => point.map((one) => one.toFixed(1)).join())
-        .join('L')}`,
+      // What is off lies on the line of 0. Its node stays, for it may be lit when it comes on.
+      path: values.some((one) => one !== 0)
+        ? `M${pointsOf(axes, pushes.times, values)
+            .map((point) => point.map((one) => one.toFixed(1)).join())
+            .join('L')}`
+        : '',
       at: (/** @type {number} */ moment) => y(values[moment]),
     });
     const [name, colour] = symbols[side];
@@ -114,8 +117,7 @@ function drawn(pushes, finalTime, width, height) {
       // The limits keep their numbers where 0 would touch them.
       ticks: [...(limits.length > 0 ? limits : [most]), 0],
       asked: drawnCurve(half.asked),
-      // What is off lies on the line of 0.
-      curves: half.terms.filter(({ values }) => values.some((one) => one !== 0)).map(drawnCurve),
+      curves: half.terms.map(drawnCurve),
     };
   });
 }
@@ -151,7 +153,8 @@ function cursorOf([above, under], times, time) {
   return svg`<path class="strip-cursor" d=${`M${px},${start}V${end}`} />
     ${[above, under].map(({ curves }) =>
       curves.map(
-        ({ term, at }) =>
+        ({ term, path, at }) =>
+          path &&
           svg`<circle class=${`strip-dot ${classes[term]}`} cx=${px} cy=${at(Math.max(now, 0))} r="3.5" />`,
       ),
     )}
