@@ -34,6 +34,7 @@ for (const [language, run] of runs)
           scrub.dispatchEvent(new Event('input', { bubbles: true }));
           await new Promise((resolve) => requestAnimationFrame(resolve));
           said.push(...(document.body.innerText.match(/.*(?:\bNaN\b|undefined|\[object|Infinity).*/g) ?? []));
+          said.push(...(document.body.innerHTML.match(/[\w-]+="[^"]*NaN[^"]*"/g) ?? []));
         }
         return said;
       });

@@ -1,6 +1,7 @@
 // The Lyapunov function as a bowl, V = r²/2: the robot stands on its wall as high as V, on the side to which x_e and y_e point.
 import { html, nothing, render, svg } from 'lit-html';
 import { create } from '../../kit/elements.js';
+import { extentOf } from '../../kit/extent.js';
 import { remember, watch } from '../../kit/memo.js';
 import { fixed, powerText } from '../../words/numbers.js';
 
@@ -51,9 +52,13 @@ export function createBowl(_tools, { bowl: words }) {
   const changed = watch();
   const wayOf = remember((/** @type {Samples} */ samples) => {
     const spots = samples.map(spotOf);
-    const most = Math.max(0.1, ...spots.map(({ r }) => r));
+    const [, most] = extentOf([spots.map(({ r }) => r)], [0, 0.1]);
     const points = spots.map((spot) => placeOf(spot, most));
-    return { most, points, way: points.map(({ x, y }) => `${x.toFixed(1)},${y.toFixed(1)}`) };
+    return {
+      most,
+      points,
+      way: points.map((point) => (isSomewhere(point) ? `${point.x.toFixed(1)},${point.y.toFixed(1)}` : '')),
+    };
   });
 
   return {
@@ -62,17 +67,16 @@ export function createBowl(_tools, { bowl: words }) {
       if (!changed(samples, at)) return;
       const { most, points, way } = wayOf(samples);
       const ball = points[Math.min(at, points.length - 1)];
-      const behind = `M${way.slice(0, at + 1).join('L')}`;
-      const ahead = `M${way.slice(Math.min(at, way.length - 1)).join('L')}`;
+      const isThere = isSomewhere(ball);
       const levels = Array.from({ length: rings }, (_, i) => ring((i + 1) / rings));
       render(
         html`<svg viewBox="0 0 ${width} ${height}" role="img" aria-label=${words.label(sample.lyapunov)}>
           <path class="bowl-wall" d=${`M${outline}Z`} />
           ${levels.map(({ y, rx, ry }) => svg`<ellipse class="bowl-ring" cx=${middle.x} cy=${y} rx=${rx} ry=${ry} />`)}
-          <path class="bowl-ahead" d=${ahead} /><path class="bowl-way" d=${behind} />
-          <path class="bowl-height" d=${`M${ball.x},${ball.y}H${width - 8}`} />
-          <text class="bowl-text" x=${width - 8} y=${ball.y + (isAside(ball.x) ? 16 : -6)}>${`${words.height} ${heightText(sample.lyapunov)}`}</text>
-          <circle class="bowl-ball" cx=${ball.x} cy=${ball.y - 7} r="9" />
+          <path class="bowl-ahead" d=${through(way.slice(Math.min(at, way.length - 1)))} /><path class="bowl-way" d=${through(way.slice(0, at + 1))} />
+          <path class="bowl-height" d=${isThere ? `M${ball.x},${ball.y}H${width - 8}` : ''} />
+          <text class="bowl-text" x=${width - 8} y=${isThere ? ball.y + (isAside(ball.x) ? 16 : -6) : 16}>${`${words.height} ${heightText(sample.lyapunov)}`}</text>
+          ${isThere ? svg`<circle class="bowl-ball" cx=${ball.x} cy=${ball.y - 7} r="9" />` : nothing}
           <text class="bowl-zero" x=${middle.x} y=${middle.y + 22}>${`${words.height} 0`}</text>
           ${isOnRimText(ball) ? nothing : svg`<text class="bowl-zero" x=${middle.x} y=${ring(1).y - ring(1).ry - 8}>${`${words.height} ${rimText((most * most) / 2)}`}</text>`}
         </svg>`,
@@ -81,6 +85,15 @@ export function createBowl(_tools, { bowl: words }) {
     },
   };
 }
+
+/** A wild drive ends beyond all numbers. @param {{ x: number, y: number }} point */
+const isSomewhere = ({ x, y }) => Number.isFinite(x) && Number.isFinite(y);
+
+/** @param {readonly string[]} way Nothing for what is nowhere. */
+const through = (way) => {
+  const points = way.filter(Boolean).join('L');
+  return points && `M${points}`;
+};
 
 /** Whether the ball would lie on the text of the rim, whose V it then has. @param {{ x: number, y: number }} ball */
 const isOnRimText = ({ x, y }) => Math.abs(x - middle.x) < 60 && y < ring(1).y - ring(1).ry + 14;

@@ -60,7 +60,7 @@ export function createErrorPosture(root) {
       });
       const values = [...valuesOf(view, 'r', sample.reference), ...valuesOf(view, 'c', sample.posture)].map(
         ({ term, colour, path }) =>
-          svg`<g data-term=${term}><path class=${`error-value of-${colour}`} d=${path} /></g>`,
+          svg`<g data-term=${term}><path class=${`error-value of-${colour}`} d=${somewhere(path)} /></g>`,
       );
       const labels = terms.map(([name, colour], i) => {
         const { seen } = marks[i];
@@ -69,12 +69,15 @@ export function createErrorPosture(root) {
           .style=${`transform: ${place} translate(-50%, -50%)`}>${symbols[i]}</span>`;
       });
       render(
-        html`<svg aria-hidden="true"><path class="error-ahead" d=${ahead} />${lines}${values}</svg>${labels}`,
+        html`<svg aria-hidden="true"><path class="error-ahead" d=${somewhere(ahead)} />${lines}${values}</svg>${labels}`,
         root,
       );
     },
   };
 }
+
+/** Nothing where the robot is nowhere. @param {string} path */
+const somewhere = (path) => (/NaN|Infinity/.test(path) ? '' : path);
 
 /** Within the plane. @param {number} at @param {number} end */
 const clamp = (at, end) => Math.max(16, Math.min(end - 16, at));
@@ -121,7 +124,7 @@ function errorOn(view, { posture, reference, error }) {
       lineOf(corner, goal, robot),
       lineOf(robot, corner, goal),
       arcOf(robot, radius, posture.theta, error.theta),
-    ],
+    ].map((mark) => ({ ...mark, seen: mark.seen && somewhere(mark.path) !== '' })),
     ahead: beyond(posture.theta) + beyond(posture.theta + error.theta),
   };
 }

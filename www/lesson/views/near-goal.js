@@ -103,13 +103,16 @@ const degrees = (radians) => (radians * 180) / Math.PI;
 function trace({ x, y }, goal, scale) {
   const { screenX, screenY } = viewAt(goal, scale);
   const points = [];
-  for (const [i, metres] of x.entries())
-    points.push(`${screenX(metres).toFixed(1)},${screenY(y[i]).toFixed(1)}`);
+  for (const [i, metres] of x.entries()) {
+    const [px, py] = [screenX(metres), screenY(y[i])];
+    if (Number.isFinite(px + py)) points.push(`${px.toFixed(1)},${py.toFixed(1)}`);
+  }
   return `M${points.join('L')}`;
 }
 
-/** @param {Posture} posture @param {Posture} goal @param {number} scale */
+/** What is nowhere is as large as nothing. @param {Posture} posture @param {Posture} goal @param {number} scale */
 function placeOf({ x, y, theta }, goal, scale) {
+  if (!Number.isFinite(x + y + theta)) return 'scale(0)';
   const { screenX, screenY } = viewAt(goal, scale);
   return `translate(${screenX(x)} ${screenY(y)}) rotate(${-degrees(theta)})`;
 }
