@@ -29,6 +29,8 @@ function printAlone(sheet) {
     delete document.body.dataset.print;
     sheet.classList.remove('to-print');
   };
+  // Where nothing could be printed, no end came of it.
+  for (const other of document.querySelectorAll('.to-print')) other.classList.remove('to-print');
   document.body.dataset.print = 'sheet';
   sheet.classList.add('to-print');
   addEventListener('afterprint', done, { once: true });

@@ -60,6 +60,19 @@ pageTest(
   },
 );
 
+pageTest('a list that was not printed is not printed with the next', async (page) => {
+  await page.open('#lesson&step=lecturers');
+  const marked = await page.evaluate(() => {
+    window.print = () => {};
+    const buttons = [...document.querySelectorAll('.sheet-list-head button')].slice(0, 2);
+    for (const button of buttons) /** @type {HTMLButtonElement} */ (button).click();
+    return [...document.querySelectorAll('.sheet-list')].flatMap((list, i) =>
+      list.classList.contains('to-print') ? [i] : [],
+    );
+  });
+  assert.deepEqual(marked, [1]);
+});
+
 pageTest('a frame may open no window, and paper none: neither offers one', async (page) => {
   const seen = () =>
     page.evaluate(
