@@ -10,6 +10,8 @@ import { answered, liveOf, toldBy } from './live.js';
 import { driven, opened } from './links.js';
 import { pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
+import { holdWorkers } from '../harness/workers.js';
+import { follow } from '../whole/surround.js';
 
 const step = stepOf('paper');
 
@@ -133,9 +135,16 @@ pageTest('who stands in the table stays there when what evolution finds has come
     }).observe(document.body, { childList: true, subtree: true, attributes: true });
     location.hash = 'lesson&step=paper';
   });
-  await page.until(
-    'all numbers are there',
-    () => document.querySelector('#paper-table table')?.textContent?.includes('…') === false,
-  );
+  const allAreThere = () =>
+    page.until(
+      'all numbers are there',
+      () => document.querySelector('#paper-table table')?.textContent?.includes('…') === false,
+    );
+  await allAreThere();
   assert.equal(await page.evaluate(() => document.activeElement?.className), 'lesson-scroll');
+  // At the next visit nothing is evolved again.
+  await holdWorkers(page);
+  await follow(page, 'lesson&v=1&step=law');
+  await follow(page, 'lesson&v=1&step=paper');
+  await allAreThere();
 });

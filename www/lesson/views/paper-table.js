@@ -1,10 +1,11 @@
 // What the paper reports beside what its gains and our own evolution come to here; and what it states, and what we chose.
 import { create } from '../../kit/elements.js';
+import { rememberEach } from '../../kit/memo.js';
 import { inline } from '../prose.js';
 import { lab } from '../../words/index.js';
 import { degreesText, fixed, postureText } from '../../words/numbers.js';
 
-/** @import { Experiment, Individual, PaperResult } from '../../core/engine.js' */
+/** @import { Engine, Experiment, Individual, PaperResult } from '../../core/engine.js' */
 /** @import { Block, Tools } from '../page.js' */
 
 const generations = 200;
@@ -31,19 +32,23 @@ function scrolling(table) {
 
 const gainsText = (/** @type {readonly number[]} */ gains) => gains.map((gain) => fixed(gain, 2)).join(', ');
 
+/** What evolution finds with the first seed, in each preset. */
+const foundBy = rememberEach((/** @type {Engine} */ engine) =>
+  engine.surveys.evolveAll(presets.map(engine.experiment), generations),
+);
+
 /** @param {Tools} tools @param {any} words @returns {Block} */
 export function createPaperTable({ engine }, words) {
   const box = scrolling(create('table', ''));
   const element = create('div', { id: 'paper-table' }, box);
-  /** What evolution finds with the first seed, in each preset. @type {Map<string, Individual> | 'asked' | null} */
-  let found = null;
-  const draw = (/** @type {PaperResult[]} */ paper) => {
+  let isDrawn = false;
+  const draw = (/** @type {PaperResult[]} */ paper, /** @type {Individual[]} */ found) => {
     const rows = paper.map(({ preset, figure, method, gains, cost }) => {
       const [run] = engine.drive(engine.experiment(preset), [gains]);
       return [words.row(figure, method), gainsText(gains), String(cost), lab.costText(run.cost.total)];
     });
-    for (const [i, preset] of presets.entries()) {
-      const best = found instanceof Map ? found.get(preset) : null;
+    for (const i of presets.keys()) {
+      const best = found.at(i);
       rows.splice(3 * i + 2, 0, [
         words.ours(generations),
         best ? gainsText(best.gains) : '…',
@@ -60,15 +65,11 @@ export function createPaperTable({ engine }, words) {
   return {
     element,
     draw({ paper }) {
-      if (found) return;
-      found = 'asked';
-      draw(paper);
-      engine.surveys
-        .evolveAll(presets.map(engine.experiment), generations)
-        .then((results) => {
-          found = new Map(presets.map((preset, i) => [preset, results[i]]));
-          draw(paper);
-        })
+      if (isDrawn) return;
+      isDrawn = true;
+      draw(paper, []);
+      foundBy(engine)
+        .then((found) => draw(paper, found))
         // Without workers the rows of our own stay open.
         .catch(() => {});
     },
