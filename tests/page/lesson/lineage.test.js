@@ -1,6 +1,6 @@
 // The family of the best robot: who descends from whom, and how it is drawn.
 import assert from 'node:assert/strict';
-import { lineageOf, numbersBelow } from '../../../www/lesson/views/lineage.js';
+import { createRecords, lineageOf, numbersBelow } from '../../../www/lesson/views/lineage.js';
 import { sigma as words } from '../../../www/lesson/words/en/sigma.js';
 import { sigma as ko } from '../../../www/lesson/words/ko/sigma.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
@@ -54,6 +54,27 @@ test('of a family that begins late it is said that ancestors are left out', () =
       }
   }
   evolution.free();
+});
+
+test('where nobody descends from anybody one record is read, and else those of all generations', () => {
+  for (const [method, read] of /** @type {const} */ ([
+    ['random', 1],
+    ['ep', 8],
+  ])) {
+    const experiment = { ...usual, evolution: { ...usual.evolution, method } };
+    const evolution = new Evolution(experiment);
+    const history = [evolution.statistics()];
+    while (history.length < 8) history.push(evolution.step());
+    let asked = 0;
+    const record = (/** @type {number} */ g) => {
+      asked += 1;
+      return evolution.record(g);
+    };
+    const recordsOf = createRecords(/** @type {any} */ ({ engine: { record }, store: { redraw() {} } }));
+    while (!recordsOf(history, 7, experiment));
+    assert.equal(asked, read, method);
+    evolution.free();
+  }
 });
 
 test('the numbers below a family are those of their places, and none touches another', () => {

@@ -56,8 +56,8 @@ export function lineageOf(recordOf, generation) {
   }
 }
 
-/** Records that are asked for once, as many in a frame as there is time for. @param {Tools} tools */
-function createRecords({ engine, store }) {
+/** Records that are asked for once, as many in a frame as there is time for; of a search without families the newest is enough. @param {Pick<Tools, 'engine' | 'store'>} tools */
+export function createRecords({ engine, store }) {
   /** @type {WeakMap<Statistics, GenerationRecord>} */
   const known = new WeakMap();
   return (
@@ -66,16 +66,23 @@ function createRecords({ engine, store }) {
     /** @type {Experiment} */ experiment,
   ) => {
     const end = performance.now() + mostMilliseconds;
-    const first = Math.max(0, generation - mostGenerations);
-    for (let g = generation; g >= first; g -= 1) {
+    const recordOf = (/** @type {number} */ g) => {
+      const record = known.get(history[g]) ?? engine.record(g, experiment);
+      known.set(history[g], record);
+      return record;
+    };
+    const first = isOtherSearch(recordOf(generation))
+      ? generation
+      : Math.max(0, generation - mostGenerations);
+    for (let g = generation - 1; g >= first; g -= 1) {
       if (known.has(history[g])) continue;
       if (performance.now() > end) {
         store.redraw();
         return null;
       }
-      known.set(history[g], engine.record(g, experiment));
+      recordOf(g);
     }
-    return (/** @type {number} */ g) => /** @type {GenerationRecord} */ (known.get(history[g]));
+    return recordOf;
   };
 }
 
