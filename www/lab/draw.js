@@ -129,7 +129,7 @@ const placeWords = remember(
     const whole = placeOfLegend(standing, lines, dashed);
     legend.dataset.at = whole.corner;
     legend.classList.toggle('short', whole.isShort);
-    // The second name stands by itself, where the styles of the lesson have it so.
+    // The second name stands by itself, where the styles of the lesson have it so at usual letters.
     const isFirstAbove = whole.corner === 'top left' && lines.length === 2;
     legend.classList.toggle('apart', view.width <= 440 || (whole.isShort && isFirstAbove));
     const { side, under } = placeOfPostures(standing, lines.length, whole.rooms);

@@ -89,7 +89,7 @@ function createTelling() {
 }
 
 /** Who drives, and whom that is compared with. @param {Pick<NotesModel, 'scene' | 'driver' | 'found' | 'generation'>} model */
-export function namesOfRuns({ scene, driver, found, generation }) {
+function namesOfRuns({ scene, driver, found, generation }) {
   const { chosen, comparison, comparisonDriver, withoutDisturbance } = scene;
   const rival = chosen?.partner?.name ?? strings.driverName(comparisonDriver, generation, found);
   return {
@@ -102,7 +102,7 @@ export function namesOfRuns({ scene, driver, found, generation }) {
 /** The lines of the legend that one sees, one below the other, and which of them is the dotted run's. @param {State} state @param {Scene} scene @param {{ width: number, height: number }} size */
 export function linesOfLegend(state, scene, { width, height }) {
   const { solid, dashed, isAlone } = namesOfRuns({ ...state, scene });
-  // As the styles of the lesson have it.
+  // As the styles of the lesson have it at usual letters.
   const isBrief = state.lesson > 0 && (height <= 300 || width <= 340);
   const others = scene.others.length > 0 && !isBrief ? [othersText(scene, state.population.length)] : [];
   const pinned = isBrief ? [] : pinTextsOf(state.pins, scene.pins, scene.experiment);

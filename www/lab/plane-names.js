@@ -91,7 +91,7 @@ export const around = (px, py, radius) => ({
 });
 
 /** Whether words there would lie on what turns a start or a goal: its knob, or the line that leads there. @param {View} view @param {readonly Posture[]} ends @param {Room} room */
-export const isOnHandle = (view, ends, room) =>
+const isOnHandle = (view, ends, room) =>
   ends.some((end) => {
     const { px, py } = knobOf(view, end);
     const [x, y] = [view.screenX(end.x), view.screenY(end.y)];
