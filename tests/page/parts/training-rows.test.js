@@ -5,9 +5,11 @@ import { createSets, setNames, testOn } from '../../../www/parts/training/sets.j
 import { rangesOf } from '../../../www/parts/training/spread.js';
 import * as en from '../../../www/parts/training/words/en.js';
 import * as ko from '../../../www/parts/training/words/ko.js';
-import { pageTest } from '../harness/browsers.js';
+import { Key, pageTest } from '../harness/browsers.js';
 import { Evolution, experiment, fares, startsOnCircle } from '../harness/core.js';
 import { test } from '../harness/once.js';
+import { delayWorkers, releaseWorkers } from '../harness/workers.js';
+import { follow } from '../whole/surround.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
@@ -99,6 +101,50 @@ pageTest('the row that comes furthest drives, until somebody chooses another', a
   await page.click('#training-circle .training-name');
   await page.click('#preset-velocity-limits');
   assert.equal((await evolveAgain(page, finding)).rows, 'training-circle');
+  assert.deepEqual(await page.problems(), []);
+});
+
+/** Evolves all while something else is done, and says who drives then. @param {Page} page @param {() => Promise<unknown>} act */
+async function evolveWhile(page, act) {
+  const hasName = (/** @type {string} */ name) =>
+    page.until(name, (wanted) => document.getElementById('training-evolve')?.innerText === wanted, name);
+  await delayWorkers(page);
+  await page.click('#training-evolve');
+  await hasName('Cancel');
+  await act();
+  await releaseWorkers(page);
+  await hasName('Evolve again');
+  return page.evaluate(() => {
+    const inputs = /** @type {NodeListOf<HTMLInputElement>} */ (
+      document.querySelectorAll('#drives input:checked, #gain-kx, #gain-ky, #gain-ktheta')
+    );
+    const [driver, ...gains] = [...inputs].map(({ value }) => value);
+    const rows = [...document.querySelectorAll('#training-table .chosen')].map(({ id }) => id);
+    return { driver, gains: gains.map(Number), rows: String(rows) };
+  });
+}
+
+pageTest('who comes to drive while all evolve goes on driving, but for a row of the table', async (page) => {
+  const link = 'training&v=1&evolve=50';
+  await page.open(`#${link}`);
+  const other = await evolveWhile(page, () => follow(page, `${link}&seed=7`));
+  assert.equal(other.driver, 'evolved');
+  const linked = await evolveWhile(page, () => follow(page, `${link}&drives=hand&gains=2,3,4`));
+  assert.deepEqual(linked, { driver: 'hand', gains: [2, 3, 4], rows: 'training-hand' });
+
+  await page.click('#training-circle .training-name');
+  const slid = await evolveWhile(page, async () => {
+    await page.click('#page-lab');
+    await page.focus('#slider-ky');
+    await page.press(Key.HOME);
+    await page.click('#page-training');
+  });
+  assert.deepEqual([slid.gains[1], slid.rows], [-2, 'training-hand']);
+
+  await page.click('#training-circle .training-name');
+  await page.click('#preset-acceleration-limits');
+  const picked = await evolveWhile(page, () => page.click('#training-grid .training-name'));
+  assert.equal(picked.rows, 'training-grid');
   assert.deepEqual(await page.problems(), []);
 });
 

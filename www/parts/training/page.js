@@ -127,14 +127,19 @@ function createEvents({ store, actions }, training, rowsOf) {
 
   /** @param {RowName | null} [usual] Which row drives then, if none was chosen; else the one that comes furthest. */
   const evolve = async (usual) => {
-    const own = trainingSlice.of(store.get());
+    const before = store.get();
+    const own = trainingSlice.of(before);
     if (own.progress !== null) return training.cancel();
     if (isAtEdge(own) || !(await training.evolve())) return;
-    // The newest gains drive, unless those of somebody else were chosen.
-    const { chosen, evolved } = trainingSlice.of(store.get());
+    // The newest gains drive, unless those of somebody else were chosen, or have come meanwhile.
+    const now = store.get();
+    const { chosen, evolved } = trainingSlice.of(now);
     const isUnchosen = chosen === null || chosen === led;
+    const isOther = now.driver !== before.driver || now.handGains !== before.handGains;
+    if (isUnchosen ? isOther || now.experiment !== before.experiment : isOther && now.found !== 'training')
+      return;
     const next = isUnchosen ? (usual ?? (evolved && furthestOf(evolved.results))) : chosen;
-    if (store.get().page !== 'training' || !next || !isSet(next)) return;
+    if (now.page !== 'training' || !next || !isSet(next)) return;
     choose(next);
     if (isUnchosen && !usual) led = next;
   };
