@@ -1,19 +1,7 @@
 // How one goes through a generation: by press, keys and phases.
 import assert from 'node:assert/strict';
-import { breathe } from '../../../www/kit/loop.js';
-import { links } from '../../../www/lesson/links.js';
-import { createAnatomy } from '../../../www/parts/generation/record.js';
-import { generationSlice } from '../../../www/parts/generation/state.js';
-import { createSteps } from '../../../www/parts/generation/steps.js';
-import { places } from '../../../www/parts/parts.js';
-import { createActions } from '../../../www/run/actions/actions.js';
-import { atEnd } from '../../../www/run/clock.js';
-import { firstState } from '../../../www/run/first.js';
-import { createStore } from '../../../www/run/store.js';
 import { Key, pageTest } from '../harness/browsers.js';
-import { test } from '../harness/once.js';
 import { readEvolution, seedOne } from '../harness/reading.js';
-import { slowEngine } from '../harness/slow-engine.js';
 import {
   count,
   followTo,
@@ -31,21 +19,6 @@ import {
   upsetOf,
   velocityLimits,
 } from './generation-page.js';
-
-test('the next phase is one of what was set, once that is there', async () => {
-  const { engine, open } = slowEngine();
-  const store = createStore(firstState(engine, 'velocity-limits', atEnd), () => {});
-  const means = { engine, store, paper: engine.paper(), finalTime: () => 1, isStill: () => true, places };
-  const actions = createActions(means);
-  actions.openLinked(links.openLink('generation&v=1&phase=survivors&individual=5', engine).opened, []);
-  const steps = createSteps({ store, actions, anatomyOf: createAnatomy(engine.record) });
-  actions.changeSetting('evolution.population', 2000, false);
-  steps.next();
-  open();
-  while (store.get().generation === 0 || store.get().computing) await breathe();
-  assert.equal(store.get().experiment.evolution.population, 2000);
-  assert.equal(generationSlice.of(store.get()).phase, 'parents');
-});
 
 pageTest('each of them is chosen by a press, by keys, and by name', async (page) => {
   await openAt(page, 3);

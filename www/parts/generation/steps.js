@@ -16,18 +16,25 @@ const secondsOfPhase = 2;
 /** @param {{ store: import('../../run/store.js').Store, actions: import('../../run/actions/actions.js').Actions, anatomyOf: (state: State) => Anatomy }} parts */
 export function createSteps({ store, actions, anatomyOf }) {
   const pause = () => actions.pauseEvolution();
-  /** Of what no record can be had is said. @param {() => void} act @param {() => boolean} [isWanted] */
-  const whenRecorded = (act, isWanted = () => true) => whenThere(orSay(act, actions.say), isWanted);
+  /** In the generation that is shown now; of what no record can be had is said. @param {() => void} act @param {() => boolean} [isWanted] */
+  const whenRecorded = (act, isWanted) => {
+    const before = store.get();
+    whenThere(orSay(act, actions.say), isWanted ?? (() => isAfter(store.get(), before, 0)));
+  };
   const shown = () => {
     const state = store.get();
     const anatomy = anatomyOf(state);
     return { state, anatomy, phase: phaseOf(anatomy, generationSlice.of(state).phase) };
   };
 
-  /** Now, or once the generation that was asked for is there. @param {() => void} act */
+  /** Now, or once the generation that was asked for is there, or what was set has begun. @param {() => void} act */
   const afterwards = (act) => {
-    if (store.get().computing) actions.whenIdle().then(act);
-    else act();
+    const { computing } = store.get();
+    if (!computing) return act();
+    const { next } = computing;
+    actions.whenIdle().then(() => {
+      if (!next || store.get().experiment === next.experiment) act();
+    });
   };
 
   /** @param {Phase} phase @param {Partial<GenerationState>} [more] */
@@ -44,7 +51,7 @@ export function createSteps({ store, actions, anatomyOf }) {
     const own = generationSlice.of(state);
     actions.forward();
     afterwards(() => {
-      if (store.get().generation === state.generation) return;
+      if (!isAfter(store.get(), state, 1)) return;
       const place = anatomy.record.survivors.indexOf(chosenOf(anatomy, own));
       fall.note(state, place < 0 ? words.nameOf(anatomy, chosenOf(anatomy, own)) : null);
       turnTo(first, { chosen: place >= 0 && isFollowed(anatomy, own) ? place : null });
@@ -71,14 +78,13 @@ export function createSteps({ store, actions, anatomyOf }) {
     if (before) return show(before);
     const own = generationSlice.of(state);
     const chosen = chosenOf(anatomy, own);
-    const isBack = () => store.get().generation === state.generation - 1;
     const atLastPhase = () => {
       const { survivors } = shown().anatomy.record;
       turnTo('survivors', { chosen: isFollowed(anatomy, own) ? survivors[chosen] : null });
     };
     actions.oneBack();
     afterwards(() => {
-      if (isBack()) whenRecorded(atLastPhase, isBack);
+      if (isAfter(store.get(), state, -1)) whenRecorded(atLastPhase);
     });
   };
 
@@ -110,7 +116,7 @@ export function createSteps({ store, actions, anatomyOf }) {
 
 /**
  * Goes on by itself, and where evolution is to pause, it does so after the last phase.
- * @param {{ store: import('../../run/store.js').Store, shown: () => { state: State, anatomy: Anatomy, phase: Phase }, afterwards: (act: () => void) => void, whenRecorded: typeof whenThere, goOn: () => void, pause: () => void }} parts
+ * @param {{ store: import('../../run/store.js').Store, shown: () => { state: State, anatomy: Anatomy, phase: Phase }, afterwards: (act: () => void) => void, whenRecorded: (act: () => void, isWanted: () => boolean) => void, goOn: () => void, pause: () => void }} parts
  */
 function createPlaying({ store, shown, afterwards, whenRecorded, goOn, pause }) {
   /** The generation that was played from its first phase on. @type {State['history'][number] | null} */
@@ -132,6 +138,10 @@ function createPlaying({ store, shown, afterwards, whenRecorded, goOn, pause }) 
     });
   };
 }
+
+/** Whether it is so many generations after another, of the same evolution. @param {State} now @param {State} before @param {number} more */
+const isAfter = (now, { history, generation }, more) =>
+  now.history[0] === history[0] && now.generation === generation + more;
 
 /** Where all is forgotten nobody stays whom one could follow but by name. @param {Anatomy} anatomy @param {GenerationState} own */
 const isFollowed = ({ method }, { chosen }) => chosen !== null || !forgets(method);
