@@ -1,13 +1,19 @@
 // Many seeds while they run: those that have run stand in the pictures, and what they say together follows at the end.
 import assert from 'node:assert/strict';
 import { createSurveys } from '../../../www/core/surveys.js';
+import { sight } from '../../../www/parts/luck/sight.js';
+import { luckSlice } from '../../../www/parts/luck/state.js';
 import { summaryOf } from '../../../www/parts/luck/statistics.js';
 import * as en from '../../../www/parts/luck/words/en.js';
+import { atEnd } from '../../../www/run/clock.js';
+import { firstState } from '../../../www/run/first.js';
 import { seedRuns } from '../../../pkg/ep_locomotion.js';
 import { pageTest } from '../harness/browsers.js';
 import { experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
+import { slowEngine } from '../harness/slow-engine.js';
 import { holdWorkers, releaseWorkers } from '../harness/workers.js';
+import { follow } from '../whole/surround.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
@@ -73,6 +79,16 @@ const countCircles = (page) =>
     });
   });
 
+test('what has run is told in whole seeds, also where their share is a bit less', () => {
+  const { engine } = slowEngine();
+  const state = firstState(engine, 'velocity-limits', atEnd);
+  for (let done = 0; done <= 100; done += 1) {
+    const luck = { ...luckSlice.first, progress: done / 100, count: 100 };
+    const { values } = sight({ ...state, slices: { luck } }, -1, true, /** @type {any} */ ({}));
+    assert.ok(values.includes(en.seedsOf(done, 100)), `${done}`);
+  }
+});
+
 /** Lets so many seeds run and holds the others. @param {Page} page @param {number} done */
 async function runSome(page, done) {
   // And the paper's gains, which are asked for first.
@@ -80,8 +96,10 @@ async function runSome(page, done) {
   await page.click('#luck-run');
   await page.until(
     'some have run',
-    (label) => document.getElementById('luck-curve')?.getAttribute('aria-label')?.includes(label),
-    en.seedsOf(done, count),
+    (label) =>
+      document.getElementById('luck-run')?.textContent === 'Cancel' &&
+      document.getElementById('luck-curve')?.getAttribute('aria-label')?.includes(label),
+    done > 0 ? en.seedsOf(done, count) : en.emptyCurveLabel,
   );
 }
 
@@ -137,3 +155,26 @@ pageTest(
     assert.deepEqual(await page.problems(), []);
   },
 );
+
+pageTest('while seeds run, what runs is told, whatever a link has set since', async (page) => {
+  const told = async () => ({
+    finding: (await readSight(page)).finding,
+    note: await page.text('#luck-note'),
+  });
+  await page.open(`#luck&runs=${count}&length=${generations}`);
+  await countCircles(page);
+  for (const done of [0, 6]) {
+    await runSome(page, done);
+    const before = await told();
+    assert.equal(before.note, en.seedsOf(done, count));
+    await follow(page, 'luck&v=1&runs=500&length=200&population=30');
+    await page.until('it is set', () => document.querySelector('#luck-count [value="500"]:checked'));
+    assert.deepEqual(await told(), before);
+    await cancel(page);
+    const { note, finding } = await told();
+    assert.ok(note !== before.note && finding !== before.finding, finding);
+    await follow(page, `luck&v=1&runs=${count}&length=${generations}`);
+    await page.until('it is set back', () => document.querySelector('#luck-count [value="20"]:checked'));
+  }
+  assert.deepEqual(await page.problems(), []);
+});

@@ -91,6 +91,7 @@ export function createSeedRequests(engine, store, paper) {
     async run() {
       const { count, generations } = luck();
       const asked = { experiment: store.get().experiment, count, generations };
+      update({ asked });
       await begin(async (options) => ({
         result: await surveyFor(asked, options),
         chosen: null,

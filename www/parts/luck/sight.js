@@ -34,7 +34,7 @@ export function sight(state, index, fresh, on) {
   const survey = surveyOf(state);
   // What seeds say together is said once all have run.
   const result = soFar ? null : survey;
-  const finding = result ? words.finding(result) : invitationOf(soFar?.experiment ?? state.experiment, luck);
+  const finding = result ? words.finding(result) : invitationOf(runOf(state));
   return html`
     <div class="heading">
       <h2 id="luck-title">${texts.luckTitle}</h2>
@@ -57,8 +57,14 @@ export function sight(state, index, fresh, on) {
     ${seedInQuestion(luck, index, fresh, on)}`;
 }
 
-/** What a press will do, or does. @param {State['experiment']} experiment @param {LuckState} luck */
-const invitationOf = (experiment, { count, generations }) =>
+/** What runs, whatever has been set since, or would run. @param {State} state */
+function runOf({ experiment, ...state }) {
+  const { progress, asked, count, generations } = luckSlice.of(state);
+  return (progress !== null && asked) || { experiment, count, generations };
+}
+
+/** What a press will do, or does. @param {ReturnType<typeof runOf>} run */
+const invitationOf = ({ experiment, count, generations }) =>
   words.invitation(experiment, count, generations, drivesOf(experiment, generations));
 
 /** @param {LuckState} luck @param {Events} on */
@@ -95,8 +101,10 @@ function seedInQuestion({ soFar, result }, index, fresh, { onRank, onOpen }) {
 /** @param {State} state */
 function noteText(state) {
   const { experiment, history } = state;
-  const { result, progress, count } = luckSlice.of(state);
-  if (progress !== null) return words.seedsOf(Math.floor(progress * count), count);
+  const { result, progress } = luckSlice.of(state);
+  const { count } = runOf(state);
+  // A whole number of seeds may come a bit short of it.
+  if (progress !== null) return words.seedsOf(Math.floor(progress * count + 1e-9), count);
   return result ? words.surveyNote(result) : words.labNote(experiment.evolution.seed, history.length - 1);
 }
 

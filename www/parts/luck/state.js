@@ -37,6 +37,8 @@ export const luckSlice = createSlice(
     /** How many seeds to run next. */ count: 100,
     /** For how many generations. */ generations: 200,
     /** Costs are shown as the logarithm of their distance to the lowest. */ log: false,
+    /** What the newest run was begun with. @type {Pick<SeedSurvey, 'experiment' | 'count' | 'generations'> | null} */
+    asked: null,
     /** From 0 to 1 while seeds run. @type {number | null} */ progress: null,
     /** While seeds run: those that have run. @type {SeedSurvey | null} */ soFar: null,
     /** @type {SeedSurvey | null} */ result: null,
