@@ -3,8 +3,10 @@ import assert from 'node:assert/strict';
 import { pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { delayWorkers, releaseWorkers } from '../harness/workers.js';
+import { follow } from '../whole/surround.js';
 import { gridAround } from '../../../www/parts/robustness/grid.js';
 import { axesOf } from '../../../www/parts/robustness/view.js';
+import * as en from '../../../www/parts/robustness/words/en.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
@@ -69,6 +71,24 @@ pageTest('what comes of the map moves nothing of what stands there already', asy
       assert.deepEqual(await places(page), before, `${link} at ${width} × ${height}`);
     }
   }
+});
+
+pageTest('that the reference moves is said no more once it does not', async (page) => {
+  const still = 'robustness&v=1&sampleTime=0.05';
+  const noted = (/** @type {string} */ what) =>
+    page.until(what, (one) => document.getElementById('robustness-note')?.textContent?.includes(one), what);
+  await page.open(`#${still}&referenceVelocity.linear=0.3`);
+  await noted(' starts');
+  assert.equal(await page.text('#robustness-summary'), en.tracking);
+  await delayWorkers(page);
+  await follow(page, still);
+  await noted(en.computing);
+  const waiting = await page.text('#robustness-summary');
+  assert.notEqual(waiting, en.tracking);
+  assert.equal(await page.text('#robustness-share'), en.waits);
+  await releaseWorkers(page);
+  await noted(' starts');
+  assert.equal(await page.text('#robustness-summary'), waiting);
 });
 
 /** Where the numbers of both axes are drawn when the map is drawn anew. @param {Page} page @returns {Promise<{ across: number[], up: number[] }>} */

@@ -69,6 +69,7 @@ export function createSight(element, store) {
         name: nameOf(driver),
         sides: words.sides(sharesBySide(survey.grid, spec.experiment.goal, survey.tally.count)),
       };
+    else if (ofSurvey?.name === null) ofSurvey = null;
     // Before the first one its line stands where it will, but where none can come.
     const before = own.message
       ? { share: '', name: '', sides: '' }
