@@ -3,18 +3,12 @@ import assert from 'node:assert/strict';
 import { trials } from '../../../pkg/ep_locomotion.js';
 import { mostRobotsOfCall } from '../../../www/core/bounds.js';
 import { partsOf } from '../../../www/parts/luck/contest-asked.js';
-import { createContestRequests } from '../../../www/parts/luck/contest-request.js';
 import { contestants, entered, ingredientNames } from '../../../www/parts/luck/contestants.js';
 import { pairsText, targetText } from '../../../www/parts/luck/words/common.js';
 import * as en from '../../../www/parts/luck/words/contest-en.js';
 import * as ko from '../../../www/parts/luck/words/contest-ko.js';
 import { contestCsv, standingsOf } from '../../../www/parts/luck/contest-summary.js';
-import { luckSlice } from '../../../www/parts/luck/state.js';
-import { atEnd } from '../../../www/run/clock.js';
-import { firstState } from '../../../www/run/first.js';
-import { createStore } from '../../../www/run/store.js';
 import { test } from '../harness/once.js';
-import { slowEngine } from '../harness/slow-engine.js';
 import { contestOf, others, small, velocityLimits } from './contests.js';
 
 test('every contestant runs, and every ingredient is another search', () => {
@@ -62,24 +56,6 @@ test('no part of a contest is more than the core takes in one call, and parts ar
       assert.ok(largest === 8 || (largest + 1) * budget > most, `${largest} of ${most} with ${budget}`);
     }
   }
-});
-
-test('a contest that is refused stops the one before, of which what has run stays', async () => {
-  const { engine, open } = slowEngine();
-  const store = createStore(firstState(engine, 'velocity-limits', atEnd), () => {});
-  const { now, update } = luckSlice.at(store);
-  update({ others: ['de'], seeds: 15, budget: 1000 });
-  const requests = createContestRequests(engine, store);
-  const before = requests.run();
-  assert.ok(now().contestRuns);
-  update({ budget: 1e9 });
-  await requests.run();
-  const stopped = now();
-  assert.match(stopped.contestMessage, /far too many/);
-  assert.deepEqual([stopped.contestRuns, stopped.contest?.cancelled], [false, true]);
-  open();
-  await before;
-  assert.equal(now(), stopped);
 });
 
 test('the usual target is 0.2 % above the lowest of all, and the standings follow from the trials', () => {

@@ -62,7 +62,10 @@ export function createContestRequests(engine, store) {
         { seeds, drives: budget },
         { signal },
       );
-      note(({ trials }) => ({ trials: [...trials, ...runs].sort((a, b) => a.seed - b.seed) }));
+      // What one part of has failed stays without trials.
+      note(({ trials, error }) =>
+        error ? {} : { trials: [...trials, ...runs].sort((a, b) => a.seed - b.seed) },
+      );
     } catch (error) {
       note(() => ({ trials: [], error: settings.named(messageOf(error)) }));
     }
