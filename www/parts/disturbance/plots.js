@@ -2,7 +2,6 @@
 /** @import { Size } from '../../kit/canvas.js' */
 /** @import { ErrorParts, Measured } from './request.js' */
 /** @import { PartName } from './summary.js' */
-import { bisectRight } from 'd3-array';
 import { scaleLinear, scaleSymlog } from 'd3-scale';
 import { createWatchedLayer, fillTextWithHalo } from '../../kit/canvas.js';
 import {
@@ -18,6 +17,7 @@ import { followSize } from '../../kit/size.js';
 import { largest } from '../../kit/extent.js';
 import { setLettering } from '../../kit/lettering.js';
 import { colour, pale } from '../../kit/palette.js';
+import { sampleBefore } from '../../lab/track.js';
 import { typed } from '../../words/numbers.js';
 import { numbersApart } from '../drawing.js';
 import words from './words/index.js';
@@ -208,7 +208,7 @@ const trace = (context, axes, times, sizes) => through(context, pointsOf(axes, t
 /** @param {CanvasRenderingContext2D} context @param {Axes} axes @param {ErrorParts} run @param {PartName} part @param {number} time */
 function drawClock(context, axes, run, part, time) {
   const { frame } = axes;
-  const now = Math.max(0, bisectRight(run.time, time + 1e-9) - 1);
+  const now = sampleBefore(run, time);
   const px = axes.x(Math.min(time, axes.horizon));
   drawCursorLine(context, px, frame.top, frame.bottom);
   drawCursorDot(context, frame, px, axes.y(run[part][now]), '--ink');

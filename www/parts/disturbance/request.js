@@ -15,7 +15,7 @@ import { usualStarts } from './numbers.js';
 /** @typedef {{ spec: Spec, runs: ErrorParts[], disturbed: RemainingErrors, calm: RemainingErrors }} Measured One value for each start. */
 
 /** The other starts: as far from the goal as the paper's, all around. */
-const circle = { radius: Math.hypot(2, 2), count: usualStarts, seed: 1 };
+const circle = { radius: 2 * Math.SQRT2, count: usualStarts, seed: 1 };
 /** What remains is measured at the end of the run. */
 const measuredSeconds = 2;
 /** Most samples of all starts together: more would be slow to drive and to draw. */

@@ -192,11 +192,11 @@ function drawMarks(context, { frame, x, y }, { spec, population, hasCrosses, ske
       context.globalAlpha = isInSlice(spec, gains) ? 1 : pale;
       disc(context, place(gains), 3.5);
     }
-    context.globalAlpha = population.length > 0 && !isInSlice(spec, population[0].gains) ? pale : 1;
+    context.globalAlpha = isInSlice(spec, population[0].gains) ? 1 : pale;
     context.fillStyle = dark;
     context.strokeStyle = light;
     context.lineWidth = 2;
-    if (population.length > 0) disc(context, place(population[0].gains), 6);
+    disc(context, place(population[0].gains), 6);
     context.globalAlpha = 1;
 
     if (cursor) {
@@ -211,13 +211,12 @@ function drawMarks(context, { frame, x, y }, { spec, population, hasCrosses, ske
     }
   });
 
-  const best = population.length > 0 ? [place(population[0].gains)] : [];
   const held = points.filter(({ gains }) => x.holds(gains[across]) && y.holds(gains[up]));
   drawPoints(
     context,
     frame,
     held.map((point) => ({ ...point, place: place(point.gains), isPale: !isInSlice(spec, point.gains) })),
-    best,
+    [place(population[0].gains)],
   );
 }
 

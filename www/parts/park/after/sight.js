@@ -52,8 +52,7 @@ export function climb({ bred, best, count }) {
   const x = (/** @type {number} */ generation) => (generation / Math.max(20, bred.length - 1)) * width;
   const y = (/** @type {number} */ parked) => height - (parked / count) * height;
   const line = bred.map(({ generation, parked }) => `${x(generation)},${y(parked)}`).join(' ');
-  const newest = /** @type {Bred} */ (bred.at(-1));
-  const name = words.climb(newest);
+  const name = words.climb(/** @type {Bred} */ (bred.at(-1)));
   return html`<figure class="park-climb not-in-small-figure">
     <div class="park-climb-axis column not-in-figure" aria-hidden="true"><span>${words.climbAxis(count)}</span><span>0</span></div>
     <div class="park-climb-plot not-in-figure">
@@ -64,7 +63,7 @@ export function climb({ bred, best, count }) {
       </svg>
       ${best ? html`<span class="park-yours-name" aria-hidden="true" ${styled('--at', String(best.parked / count))}>${words.yoursParked(best.parked)}</span>` : nothing}
     </div>
-    <figcaption class="muted">${words.climb(newest)}</figcaption>
+    <figcaption class="muted">${name}</figcaption>
   </figure>`;
 }
 
