@@ -23,7 +23,7 @@ const isLanguage = (name) => Object.hasOwn(languages, name);
  * @returns {Language}
  */
 export function languageOf(link, preferred) {
-  const named = /&(?:amp;)?lang=(\w+)/.exec(link)?.[1] ?? '';
+  const named = /[&?](?:amp;)?lang=(\w+)/.exec(link)?.[1] ?? '';
   if (isLanguage(named)) return named;
   if (link !== '') return usualLanguage;
   return preferred.map((tag) => tag.split('-')[0].toLowerCase()).find(isLanguage) ?? usualLanguage;

@@ -220,6 +220,7 @@ test('the link says the language; without a link the browser does', () => {
     ['lab&v=1&seed=7', ['ko'], 'en'],
     ['lab&v=1&lang=ko', ['en'], 'ko'],
     ['curves&v=1&seed=7&lang=ko', ['en'], 'ko'],
+    ['lab&v=1&seed=7?lang=ko', ['en'], 'ko'],
     ['lab&v=1&lang=xx', ['ko'], 'en'],
   ]))
     assert.equal(languageOf(link, preferred), language, `#${link} for ${preferred}`);
