@@ -7,6 +7,7 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 import { groupNames } from '../../../www/run/exercise.js';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { within } from '../harness/host.js';
+import { follow } from '../whole/surround.js';
 import { openMaker } from './making.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -38,6 +39,13 @@ pageTest('what is pressed and typed within one frame is all kept', async (page) 
     await linkMade(page),
     /&lock=gains,seed&hide=run&task=Park\.&vary=goal%2Cseed$|&lock=gains,seed&hide=run&task=Park\.&vary=goal,seed$/,
   );
+});
+
+pageTest('its link has the generation that is still on its way', async (page) => {
+  await openMaker(page);
+  await follow(page, 'lab&v=1&generation=99999');
+  await page.until('it is on its way', () => document.getElementById('computing')?.checkVisibility());
+  assert.match(await linkMade(page), /&generation=99999(&|$)/);
 });
 
 pageTest(

@@ -27,7 +27,7 @@ import {
   wayOf,
   withWay,
 } from '../../run/exercise.js';
-import { nothingDone } from '../../run/state.js';
+import { caughtUp, nothingDone } from '../../run/state.js';
 import { nobody, undrawn } from '../../run/variant.js';
 import { createPanel } from '../../settings/panel.js';
 import { exercise as exerciseWords, lab } from '../../words/index.js';
@@ -103,7 +103,7 @@ export function createMaker({ engine, store, actions, links, paper }) {
         if (isOther && !state.settings.open) byId('keep-button')?.focus();
         return preview.draw(null);
       }
-      const link = links.linkOf(givenOf(state, draft, paper), engine.experiment);
+      const link = links.linkOf(givenOf(caughtUp(state), draft, paper), engine.experiment);
       linkNow = link;
       // What was said of another exercise is not true of this one.
       if (link !== linkSaid) status = '';
