@@ -98,8 +98,10 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
 
   const write = () => {
     const state = store.get();
+    // Then it is asked for anew once it is due again.
+    if (away.leaves || !isDue(state, place)) return changed();
     const link = linkFor(state);
-    if (away.leaves || !isDue(state, place) || link === written) return;
+    if (link === written) return;
     const isStep = isElsewhere(state, place) && written;
     // One that "back" takes back: to all that the part before has come to.
     if (isStep) put('replaceState', linkFor({ ...state, ...place }));
@@ -137,10 +139,9 @@ export function createAddress({ engine, store, actions, links, slices, firstPage
 
     /** A run that is opened from elsewhere takes the place of this one: a step that "back" takes back. @param {Place} next */
     keepPlace(next) {
-      put('replaceState', linkFor(store.get()));
+      put('replaceState', linkNow(written));
       put(onward, location.hash.slice(1));
-      written = null;
-      place = placeOf(next);
+      [written, place] = [null, placeOf(next)];
     },
 
     /** Writes what has changed, soon. @param {State} state */
