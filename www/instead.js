@@ -1,5 +1,6 @@
 // What stands in the place of the robots until they drive, and stays where they cannot: why, a picture, the lesson to read.
 import { byId, create } from './kit/elements.js';
+import { watch } from './kit/memo.js';
 import { isLost, messageOf } from './words/errors.js';
 import { instead as words } from './words/index.js';
 import { language } from './words/language.js';
@@ -25,8 +26,11 @@ const taken = document.createDocumentFragment();
 /** From a copy that a browser has saved to the page. */
 const original = /** @type {HTMLAnchorElement} */ (create('a', {}));
 
+const isOther = watch();
+
 /** It leads to what is on screen when the page is saved. */
 export function followAddress() {
+  if (!isOther(location.href, document.title)) return;
   original.href = location.href;
   original.textContent = document.title;
 }
@@ -35,7 +39,6 @@ export function followAddress() {
 export function takeInstead() {
   const copy = create('div', { id: 'copy' }, create('p', 'message', words.copy, ' ', original));
   followAddress();
-  addEventListener('popstate', followAddress);
   copy.attachShadow({ mode: 'open' });
   byId('instead').before(copy);
   taken.append(byId('instead'));

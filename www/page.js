@@ -89,7 +89,6 @@ async function createSeen({ actions, tools, sight, seenScene }, redraw, addressO
   /** What one of them asks for of its own may still be under way. @param {string} name @param {() => void} act */
   const turn = (name, act) => apart(name, () => tryNow(act, redraw));
   const go = (/** @type {string} */ link) => addressOf()?.go(link);
-  const onLesson = () => go(links.linkOfStep(store.get().lastStep));
   const order = [firstPage, 'lesson', ...links.pages.filter((name) => name !== firstPage)];
   steadySliders();
   keepHeld();
@@ -105,7 +104,7 @@ async function createSeen({ actions, tools, sight, seenScene }, redraw, addressO
   const pinButton = createPinButton(tools, seenScene);
   await giveWay();
   // These three in one piece: they stand side by side above the page, in sight already, and each moves the others.
-  const head = createHead(tools.actions, order, named, onLesson);
+  const head = createHead(tools.actions, order, named, () => go(links.linkOfStep(store.get().lastStep)));
   const settings = createSettingsPanel(tools, inSight.lab);
   const share = createShare({
     ...tools,
@@ -168,6 +167,7 @@ function createShow({ tools, sight }, seen, addressOf) {
       drawPart(state, scene);
       turn('exercise', () => exercise.draw(state, made.size, scene));
       if (!isBehind) turn('address', () => addressOf()?.follow(state));
+      followAddress();
       // What is being set, while its drives are still on their way.
       turn('settings', () => settings.draw(now));
       turn('embed', () => embed?.draw(state));

@@ -1,6 +1,6 @@
 // A copy of the page that a browser has saved with all that stands in it says what it is, and does not run over it.
 import assert from 'node:assert/strict';
-import { engineTest } from '../harness/browsers.js';
+import { engineTest, pageTest } from '../harness/browsers.js';
 import { serve } from '../harness/server.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -80,4 +80,23 @@ engineTest('a copy that a browser has saved says so, with its scripts and withou
   } finally {
     await site.close();
   }
+});
+
+pageTest('its link leads to what is open, and is called so, also after Back', async (page) => {
+  const isOf = (/** @type {string} */ part) =>
+    page.until(
+      part,
+      (name) => {
+        const link = /** @type {HTMLAnchorElement} */ (document.querySelector('#copy a'));
+        const isThere = document.body.dataset.open === name && location.hash.startsWith(`#${name}`);
+        return isThere && link.href === location.href && link.textContent === document.title;
+      },
+      part,
+    );
+  await page.open('#curves');
+  await isOf('curves');
+  await page.click('#page-lab');
+  await isOf('lab');
+  await page.evaluate(() => history.back());
+  await isOf('curves');
 });
