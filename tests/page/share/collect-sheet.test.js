@@ -1,7 +1,9 @@
 // What a lecturer sees of the sheet on which hand-ins are checked: room, focus, pins, and what is no longer true.
 import assert from 'node:assert/strict';
 import { Key, pageTest } from '../harness/browsers.js';
-import { cells, checked, openSheet, paste, stripSays } from './hand-in-sheet.js';
+import { holdWorkers } from '../harness/workers.js';
+import { follow } from '../whole/surround.js';
+import { cells, checked, openCollect, openSheet, paste, stripSays } from './hand-in-sheet.js';
 import { exercise, handedIn, site } from './hand-ins.js';
 
 /** Checks hand-ins without receipts, each with another kx. @param {import('../harness/browsers.js').Page} page @param {readonly string[]} names */
@@ -58,6 +60,39 @@ pageTest(
     assert.deepEqual(await page.problems(), []);
   },
 );
+
+pageTest('back from a hand-in leads to the link that was still to begin', async (page) => {
+  await checkClass(page, ['Ann']);
+  await page.press(Key.ESCAPE);
+  await holdWorkers(page);
+  await follow(page, 'lab&v=1&population=1500&seed=8');
+  await page.until('it begins', () => document.querySelector('#computing:not([hidden])'));
+  await openCollect(page);
+  await page.click('button[data-open]');
+  await page.until('the hand-in is open', () => location.hash.includes('gains='));
+  await page.evaluate(() => history.back());
+  await page.until('it is back', () => !location.hash.includes('gains='));
+  assert.equal(await page.evaluate(() => location.hash), '#lab&v=1&population=1500&seed=8');
+});
+
+pageTest('what is typed, or sorted, draws no chart anew', async (page) => {
+  await checkClass(page, ['Ann', 'Bob', 'Cid']);
+  const drawn = await page.evaluate(() => {
+    const { Path2D } = window;
+    let count = 0;
+    window.Path2D = class extends Path2D {
+      constructor(/** @type {any} */ d) {
+        super(d);
+        count += 1;
+      }
+    };
+    document.getElementById('collect-text')?.dispatchEvent(new Event('input'));
+    /** @type {HTMLElement | null} */ (document.querySelector('[data-sort="remark"]'))?.click();
+    window.Path2D = Path2D;
+    return count;
+  });
+  assert.equal(drawn, 0);
+});
 
 pageTest('what was found has the room of the window, and nothing of it is cut', async (page) => {
   const { link } = await handedIn('s1', [3.3, 0, 4.5]);

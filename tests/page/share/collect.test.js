@@ -4,7 +4,7 @@ import Papa from 'papaparse';
 import { links } from '../../../www/lesson/links.js';
 import { createChecker } from '../../../www/share/collect/check.js';
 import { createReader } from '../../../www/share/collect/entries.js';
-import { nameOfFile } from '../../../www/share/collect/owners.js';
+import { ownersOfFiles } from '../../../www/share/collect/owners.js';
 import { csvOf, ordered, remarksOf } from '../../../www/share/collect/table.js';
 import { experiment, simulate } from '../harness/core.js';
 import { test } from '../harness/once.js';
@@ -75,7 +75,7 @@ test('a receipt is found in its text, as a link, in HTML, in a table, in a folde
     ['2026_11_26_hand-in.txt', '2026_11_26_hand-in'],
     ['hand-in-s1.txt', 'hand-in-s1'],
   ])
-    assert.equal(nameOfFile(path), name);
+    assert.equal(ownersOfFiles([path])[0].name, name);
   const [worksheet] = await reader.read(
     table(
       ['Identifier', 'Full name', 'Status', 'Maximum Grade', 'Online text'],

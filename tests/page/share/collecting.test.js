@@ -2,14 +2,15 @@
 import assert from 'node:assert/strict';
 import Papa from 'papaparse';
 import { links } from '../../../www/lesson/links.js';
+import { createChecker } from '../../../www/share/collect/check.js';
 import { createReader } from '../../../www/share/collect/entries.js';
 import { readAll } from '../../../www/share/collect/files.js';
-import { nameOfFile } from '../../../www/share/collect/owners.js';
+import { ownersOfFiles } from '../../../www/share/collect/owners.js';
 import { pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
 import { saved } from '../harness/saved.js';
 import { cells, checked, openSheet, paste, stripSays } from './hand-in-sheet.js';
-import { handedIn } from './hand-ins.js';
+import { engine, handedIn } from './hand-ins.js';
 
 test('an anonymous submission keeps its number, and so do those who share a name', async () => {
   const { text } = await handedIn('s1', [3.3, 0, 4.5]);
@@ -45,7 +46,24 @@ test('an anonymous submission keeps its number, and so do those who share a name
     ],
   );
   // Also where there is one alone.
-  assert.equal(nameOfFile('all/Participant_12345_assignsubmission_file/mine.txt'), 'Participant 12345');
+  const [{ name }] = ownersOfFiles(['all/Participant_12345_assignsubmission_file/mine.txt']);
+  assert.equal(name, 'Participant 12345');
+});
+
+test('a cancel ends each hand-in that workers have by then', async () => {
+  const { link } = await handedIn('s1', [3.3, 0, 4.5]);
+  const entries = await createReader(links.pages).read(Array(500).fill(link).join('\n'));
+  const control = new AbortController();
+  const { signal } = control;
+  const stopped = new Promise((_, reject) => signal.addEventListener('abort', () => reject(signal.reason)));
+  const costs = () => {
+    // While others are not yet asked for.
+    setTimeout(() => control.abort());
+    return stopped;
+  };
+  const checker = createChecker({ ...engine, surveys: { ...engine.surveys, costs } }, links);
+  // What nobody has caught fails the test.
+  await assert.rejects(checker.check(entries, null, { signal, onProgress: () => {} }), /abort/i);
 });
 
 pageTest('a class is checked, sorted, opened, pinned and saved for the gradebook', async (page) => {

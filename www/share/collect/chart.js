@@ -18,7 +18,7 @@ import {
 } from '../../kit/chart.js';
 import { byId } from '../../kit/elements.js';
 import { extentOf } from '../../kit/extent.js';
-import { once } from '../../kit/memo.js';
+import { once, remember } from '../../kit/memo.js';
 import { drawAxisNames } from '../../kit/names.js';
 import { colour } from '../../kit/palette.js';
 import { sameDigits } from '../../kit/steps.js';
@@ -59,14 +59,15 @@ function costAim(given) {
   return wanted?.kind === 'cost' ? wanted.below : null;
 }
 
-/** Where nothing is aimed at all look alike. @param {readonly Row[]} rows @param {Given | null} given @returns {Point[]} */
-const pointsIn = (rows, given) =>
+/** Where nothing is aimed at all look alike. The same for the same class, which is then not drawn anew. */
+const pointsIn = remember((/** @type {readonly Row[]} */ rows, /** @type {Given | null} */ given) =>
   rows.flatMap(({ checked }) => {
     if (!checked || !Number.isFinite(checked.cost)) return [];
     const { cost, gains, judged } = checked;
     const kind = judged ? (judged.isMet ? 'met' : 'not') : given?.run.exercise.aim ? 'unjudged' : 'not';
-    return [{ cost, gains, kind }];
-  });
+    return [/** @type {Point} */ ({ cost, gains, kind })];
+  }),
+);
 
 /** What the two pictures show, in words. @param {readonly Row[]} rows @param {Given | null} given */
 export function labelsOf(rows, given) {

@@ -90,7 +90,10 @@ export function createChecker(engine, links) {
       /** @type {Promise<Row>[]} */
       const checking = [];
       for (const [i, entry] of entries.entries()) {
-        checking.push(rowOf(entry, i));
+        const row = rowOf(entry, i);
+        // Of what a cancel ends nobody may be waiting for yet.
+        row.catch(() => {});
+        checking.push(row);
         await turn();
         signal.throwIfAborted();
       }

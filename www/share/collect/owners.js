@@ -38,6 +38,3 @@ export function ownersOfFiles(paths) {
     };
   });
 }
-
-/** @param {string} path */
-export const nameOfFile = (path) => ownersOfFiles([path])[0].name;

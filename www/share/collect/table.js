@@ -56,7 +56,7 @@ export function remarksOf(row, rows) {
     ...(seenText(checked.who) === checked.who ? [] : [words.unseen]),
     ...(lacksDrives ? [words.lacksDrives] : []),
     ...(differs.length > 0 ? [words.differs(differs)] : []),
-    ...(own === cost || Number.isNaN(own) ? [] : [words.ownCost(words.numberText(own))]),
+    ...(own === cost ? [] : [words.ownCost(words.numberText(own))]),
     ...(also.length > 0 ? [words.also(also, ones.length - 1 - also.length)] : []),
     ...(twins.length > 0 ? [words.same(twins, same.length - 1 - twins.length)] : []),
   ];
