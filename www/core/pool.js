@@ -30,7 +30,7 @@ import { because, createHands, notStarted } from './hands.js';
  * @typedef {object} Task
  * @property {keyof Jobs} call
  * @property {unknown[][]} parts
- * @property {boolean} urgent Goes before all that is not, and has parts so short that none is worth a termination.
+ * @property {boolean} urgent Goes before all that is not. Its parts are not terminated: most are short, and one that is not, as the page's own checks, goes on to its end.
  * @property {number} next The first part that no worker has taken.
  * @property {number[]} again Parts that are to be done again, because their worker was lost.
  * @property {Set<number>} lost All parts whose worker was lost once.

@@ -30,9 +30,8 @@ export function rememberEach(compute) {
   /** @type {WeakMap<K, R>} */
   const known = new WeakMap();
   return (key) => {
-    const value = known.get(key) ?? compute(key);
-    known.set(key, value);
-    return value;
+    if (!known.has(key)) known.set(key, compute(key));
+    return /** @type {R} */ (known.get(key));
   };
 }
 

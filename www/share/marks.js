@@ -56,17 +56,14 @@ export class Outline {
     this.closePath();
   }
 
-  /** @param {number} x @param {number} y @param {number} r @param {number} from @param {number} to @param {boolean} [back] */
-  arc(x, y, r, from, to, back = false) {
-    const turn = 2 * Math.PI;
-    const sweep = Math.min(turn, back ? from - to : to - from);
-    const angle = sweep < 0 ? sweep + turn : sweep;
+  /** From less to more, at most a turn. @param {number} x @param {number} y @param {number} r @param {number} from @param {number} to */
+  arc(x, y, r, from, to) {
     const at = (/** @type {number} */ part) => {
-      const direction = from + (back ? -part : part) * angle;
+      const direction = from + part * (to - from);
       return /** @type {const} */ ([x + r * Math.cos(direction), y + r * Math.sin(direction)]);
     };
     this.lineTo(...at(0));
     // In two halves, because an arc that ends where it begins is none.
-    for (const part of [0.5, 1]) this.#add('A', r, r, 0, 0, back ? 0 : 1, ...at(part));
+    for (const part of [0.5, 1]) this.#add('A', r, r, 0, 0, 1, ...at(part));
   }
 }

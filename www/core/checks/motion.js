@@ -106,11 +106,11 @@ function arcChecks() {
   return [
     check('halfArcs', [arcs.length], (core) => {
       const differences = wholes(core).map((whole, i) => distance(whole, endOf(core, arcs[i], 2)));
-      return atMost([1e-13], [largest(differences)], ['m']);
+      return atMost([1e-13], [largest(differences)]);
     }),
     check('circle', [arcs.length], (core) => {
       const differences = wholes(core).map((whole, i) => distance(whole, onCircle(arcs[i])));
-      return atMost([1e-13], [largest(differences)], ['m']);
+      return atMost([1e-13], [largest(differences)]);
     }),
   ];
 }

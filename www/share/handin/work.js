@@ -74,13 +74,13 @@ export function createWork(tools, root) {
       if (question !== questions) return;
       known = { measured, isNew: true };
       store.redraw();
-    }, fail);
+    }, failOf(question));
   };
 
-  /** What a newer question took the place of is none. @param {unknown} error */
-  const fail = (error) => {
+  /** What a newer question took the place of is none. @param {number} question */
+  const failOf = (question) => (/** @type {unknown} */ error) => {
     if (error instanceof DOMException && error.name === 'AbortError') return;
-    known = null;
+    if (question === questions) known = null;
     actions.say(messageOf(error));
   };
 
