@@ -129,20 +129,21 @@ pageTest(
 pageTest('what was set before something that never began is in the address', async (page) => {
   await page.open('#lab&v=1&population=1200&gains=3,0.1,5');
   await holdWorkers(page);
-  const isAsked = await page.evaluate(async () => {
+  await page.evaluate(async () => {
     const { setTimeout } = window;
     /** @type {(() => void)[]} */
     const acts = [];
-    window.setTimeout = /** @type {any} */ ((/** @type {() => void} */ act) => acts.push(act));
+    // Of the address, and not of a frame that comes late.
+    window.setTimeout = /** @type {any} */ (
+      (/** @type {() => void} */ act, /** @type {number} */ after) =>
+        after > 200 ? acts.push(act) : setTimeout(act, after)
+    );
     document.getElementById('drives-hand')?.click();
-    await new Promise(requestAnimationFrame);
-    await new Promise(requestAnimationFrame);
+    while (acts.length === 0) await new Promise(requestAnimationFrame);
     document.getElementById('new-seed')?.click();
     window.setTimeout = setTimeout;
     for (const act of acts) act();
-    return acts.length > 0;
   });
-  assert.ok(isAsked);
   await page.until('it begins', () => document.querySelector('#computing:not([hidden])'));
   await page.press(Key.ESCAPE);
   await page.until('it is in the address', () => location.hash.includes('drives=hand'));
