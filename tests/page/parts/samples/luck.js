@@ -73,6 +73,7 @@ export const sample = {
     wanted: asked,
     seedsWanted: asked,
     log: 'how what was found is drawn',
+    asked: underWay,
     progress: underWay,
     soFar: underWay,
     result: found,
