@@ -4,7 +4,7 @@ import { costText } from '../../../words/en/numbers.js';
 export const paper = {
   texts: {
     same: `The robot, the law and EP come from a paper of 1995, by Jong-Hwan Kim and Hyun-Sik Shim. It gives four drives with their gains and their J. A page that teaches should be able to show them again. Can it?`,
-    order: `The *order* is the paper’s: the evolved gains are better than the arbitrary ones, with both kinds of limits. With velocity limits the arbitrary ones cost {=velocity} times as much here, {=paperVelocity} times in the paper; with acceleration limits {=acceleration} times, {=paperAcceleration} in the paper, because here they do not arrive at all. Our own evolution finds {kx} and {kt} of a similar size (with acceleration limits a {kx} a third smaller), and sends {ky} towards zero, as the paper’s did.
+    order: `The *order* is the paper’s: the evolved gains are better than the arbitrary ones, with both kinds of limits. With velocity limits the arbitrary ones cost {=velocity} times as much here, {=paperVelocity} times in the paper; with acceleration limits {=acceleration} times, {=paperAcceleration} in the paper, because here they do not arrive at all. Our own evolution finds {kx} and {kt} of a similar size (with acceleration limits {kx} comes out a third smaller), and sends {ky} towards zero, as the paper’s did.
 
 The *numbers themselves* are not the paper’s, and no honest program could make them so: J depends on weights and on rules that the paper does not give. We have not tuned them to make the numbers fit. This is what stands in the paper, and what we do:`,
     printed: `With the energy as (9) prints it, of the *commanded* velocity, our J of the four drives would be {=printed}.`,
