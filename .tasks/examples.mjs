@@ -24,7 +24,7 @@ export const python = join(
 /** The book, with the site beside it as ep/. */
 export const book = join(top, output, 'book', '_build', 'html');
 
-/** What is installed, in a folder that has not been moved since, and by a Python that is still there. */
+/** What is installed, by a Python that is still there. */
 const installed = () =>
   existsSync(stamp) && ask(python, ['-c', 'import jupyter_book']) !== null ? readFileSync(stamp, 'utf8') : '';
 

@@ -18,6 +18,7 @@ export class Failure extends Error {
 /** Runs a whole task: its failure is printed and becomes the exit code. @param {() => Promise<void>} body */
 export async function task(body) {
   process.chdir(top);
+  hearSignals();
   try {
     await body();
   } catch (error) {
@@ -33,6 +34,22 @@ let stopped = false;
 /** Lets no further step begin: another one has failed. */
 export function stopSteps() {
   stopped = true;
+}
+
+let hears = false;
+
+/** What has begun would go on alone when a task is ended. */
+function hearSignals() {
+  if (hears) return;
+  hears = true;
+  for (const signal of /** @type {const} */ (['SIGTERM', 'SIGHUP']))
+    process.on(signal, async () => {
+      stopSteps();
+      const ended = [...running].map((child) => once(child, 'close'));
+      for (const child of running) child.kill(signal);
+      await Promise.all(ended);
+      process.exit(1);
+    });
 }
 
 /**
@@ -62,15 +79,6 @@ export async function step(name, body, usual) {
 
 /** The programs that run now. @type {Set<import('node:child_process').ChildProcess>} */
 const running = new Set();
-// They would go on alone.
-for (const signal of /** @type {const} */ (['SIGTERM', 'SIGHUP']))
-  process.on(signal, async () => {
-    const ended = [...running].map((child) => once(child, 'close'));
-    for (const child of running) child.kill(signal);
-    await Promise.all(ended);
-    process.exit(1);
-  });
-
 /**
  * Runs a program to its end and returns its standard output, which is shown as it comes.
  * @param {string} program

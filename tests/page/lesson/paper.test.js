@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { asPrinted } from '../../../www/lesson/printed.js';
+import { foundBy } from '../../../www/lesson/views/paper-table.js';
 import { paper as en } from '../../../www/lesson/words/en/paper.js';
 import { paper as ko } from '../../../www/lesson/words/ko/paper.js';
 import { costText } from '../../../www/words/en/numbers.js';
@@ -147,4 +148,15 @@ pageTest('who stands in the table stays there when what evolution finds has come
   await follow(page, 'lesson&v=1&step=law');
   await follow(page, 'lesson&v=1&step=paper');
   await allAreThere();
+});
+
+test('what evolution finds beside the paper’s gains is asked for once, and anew where it could not be found', async () => {
+  let asked = 0;
+  const surveys = {
+    evolveAll: () => (++asked === 1 ? Promise.reject(new Error('lost')) : Promise.resolve([])),
+  };
+  const own = /** @type {any} */ ({ experiment: (/** @type {string} */ preset) => preset, surveys });
+  await assert.rejects(foundBy(own), /lost/);
+  assert.equal(await foundBy(own), await foundBy(own));
+  assert.equal(asked, 2);
 });

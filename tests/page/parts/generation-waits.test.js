@@ -34,7 +34,12 @@ function stepsIn(link, held) {
   const store = createStore(firstState(engine, 'velocity-limits', atEnd), () => {});
   const means = { engine, store, paper: engine.paper(), finalTime: () => 1, isStill: () => true, places };
   const actions = createActions(means);
-  const follow = (/** @type {string} */ one) => actions.openLinked(links.openLink(one, engine).opened, []);
+  /** What frames do on the way to a generation that is not there at once, which depends on the machine. */
+  const catchUp = () => actions.evolve(() => store.get().catchingUp !== null);
+  const follow = (/** @type {string} */ one) => {
+    actions.openLinked(links.openLink(one, engine).opened, []);
+    catchUp();
+  };
   follow(link);
   return {
     ...{ store, actions, follow, open },
@@ -46,27 +51,32 @@ function stepsIn(link, held) {
       isHeld = false;
       arrive();
     },
+    rest: async () => {
+      do await breathe();
+      while (store.get().computing);
+      catchUp();
+    },
     seen: () => [store.get().generation, generationSlice.of(store.get()).phase],
   };
 }
 
 test('the next phase is one of what was set, once that is there', async () => {
-  const { store, actions, steps, open, seen } = stepsIn('generation&v=1&phase=survivors&individual=5');
+  const { store, actions, steps, open, rest, seen } = stepsIn('generation&v=1&phase=survivors&individual=5');
   actions.changeSetting('evolution.population', 2000, false);
   steps.next();
   open();
-  while (store.get().generation === 0 || store.get().computing) await breathe();
+  while (store.get().generation === 0 || store.get().computing) await rest();
   assert.equal(store.get().experiment.evolution.population, 2000);
   assert.deepEqual(seen(), [1, 'parents']);
 });
 
 test('what was set and is left for a link goes on in nothing of that', async () => {
-  const { actions, steps, follow, open, seen } = stepsIn('generation&v=1&phase=survivors');
+  const { actions, steps, follow, open, rest, seen } = stepsIn('generation&v=1&phase=survivors');
   actions.changeSetting('evolution.population', 2000, false);
   steps.next();
   follow('generation&v=1&generation=3&phase=mutation');
   open();
-  await breathe();
+  await rest();
   assert.deepEqual(seen(), [3, 'mutation']);
 });
 
@@ -82,7 +92,7 @@ const presses = [
 
 test('a link that is opened while a press is computed keeps its phase and its individual', async () => {
   for (const [from, held, press, generation, phase] of presses) {
-    const { store, steps, follow, hold, free, seen } = stepsIn(`generation&v=1&${from}`, held);
+    const { store, steps, follow, hold, free, rest, seen } = stepsIn(`generation&v=1&${from}`, held);
     const before = seen();
     hold();
     steps[press]();
@@ -90,7 +100,7 @@ test('a link that is opened while a press is computed keeps its phase and its in
     free();
     // Before anybody hears that it is there.
     follow(`generation&v=1&generation=${generation}&phase=${phase}&individual=2`);
-    await breathe();
+    await rest();
     assert.deepEqual(
       [...seen(), generationSlice.of(store.get()).chosen],
       [generation, phase, 2],
@@ -101,13 +111,22 @@ test('a link that is opened while a press is computed keeps its phase and its in
 
 test('what is pressed goes on once it is there', async () => {
   for (const [from, held, press] of presses) {
-    const { steps, hold, free, seen } = stepsIn(`generation&v=1&${from}`, held);
+    const { steps, hold, free, rest, seen } = stepsIn(`generation&v=1&${from}`, held);
     const before = seen();
     hold();
     steps[press]();
     assert.deepEqual(seen(), before);
     free();
-    await breathe();
+    await rest();
     assert.notDeepEqual(seen(), before, `${from}, ${press}`);
   }
+});
+
+test('to go back ends an evolution that goes on, at once', () => {
+  const { store, actions, steps, hold } = stepsIn('generation&v=1&generation=2&phase=drive', 'record');
+  actions.toggleEvolution();
+  assert.equal(store.get().evolving, true);
+  hold();
+  steps.back();
+  assert.equal(store.get().evolving, false);
 });

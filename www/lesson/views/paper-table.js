@@ -1,6 +1,5 @@
 // What the paper reports beside what its gains and our own evolution come to here; and what it states, and what we chose.
 import { create } from '../../kit/elements.js';
-import { rememberEach } from '../../kit/memo.js';
 import { inline } from '../prose.js';
 import { lab } from '../../words/index.js';
 import { degreesText, fixed, postureText } from '../../words/numbers.js';
@@ -32,10 +31,16 @@ function scrolling(table) {
 
 const gainsText = (/** @type {readonly number[]} */ gains) => gains.map((gain) => fixed(gain, 2)).join(', ');
 
-/** What evolution finds with the first seed, in each preset. */
-const foundBy = rememberEach((/** @type {Engine} */ engine) =>
-  engine.surveys.evolveAll(presets.map(engine.experiment), generations),
-);
+/** @type {WeakMap<Engine, Promise<Individual[]>>} */
+const known = new WeakMap();
+
+/** What evolution finds with the first seed, in each preset; where it could not be found it is asked for anew. @param {Engine} engine */
+export function foundBy(engine) {
+  const asked = known.get(engine) ?? engine.surveys.evolveAll(presets.map(engine.experiment), generations);
+  known.set(engine, asked);
+  asked.catch(() => known.delete(engine));
+  return asked;
+}
 
 /** @param {Tools} tools @param {any} words @returns {Block} */
 export function createPaperTable({ engine }, words) {

@@ -99,7 +99,10 @@ export function createSteps({ store, actions, anatomyOf }) {
       afterwards(() => whenRecorded(goOn));
     },
 
-    back: () => whenRecorded(goBack),
+    back() {
+      pause();
+      whenRecorded(goBack);
+    },
 
     /** From generation 0, which goes through nothing, into the phases of the next. */
     begin() {
