@@ -16,6 +16,11 @@ const secondsOfPhase = 2;
 /** @param {{ store: import('../../run/store.js').Store, actions: import('../../run/actions/actions.js').Actions, anatomyOf: (state: State) => Anatomy }} parts */
 export function createSteps({ store, actions, anatomyOf }) {
   const pause = () => actions.pauseEvolution();
+  /** While nothing goes on by itself. @param {() => void} act */
+  const paused = (act) => () => {
+    pause();
+    act();
+  };
   /** In the generation that is shown now; of what no record can be had is said. @param {() => void} act @param {() => boolean} [isWanted] */
   const whenRecorded = (act, isWanted) => {
     const before = store.get();
@@ -93,22 +98,12 @@ export function createSteps({ store, actions, anatomyOf }) {
   return {
     show,
 
-    next() {
-      pause();
-      // In what was set before, once that has begun.
-      afterwards(() => whenRecorded(goOn));
-    },
-
-    back() {
-      pause();
-      whenRecorded(goBack);
-    },
+    // In what was set before, once that has begun.
+    next: paused(() => afterwards(() => whenRecorded(goOn))),
+    back: paused(() => whenRecorded(goBack)),
 
     /** From generation 0, which goes through nothing, into the phases of the next. */
-    begin() {
-      pause();
-      afterwards(() => whenRecorded(() => onward('mutation')));
-    },
+    begin: paused(() => afterwards(() => whenRecorded(() => onward('mutation')))),
 
     fallenBefore: fall.before,
 
