@@ -61,11 +61,15 @@ fn each_room_knows_only_those_before_it_and_so_does_each_file_of_a_room() {
             // A name that mod.rs hands on does not say where it stands; macros of the schema are for other rooms.
             let (code, own) =
                 (text.split("#[cfg(test)]").next().unwrap_or(&text), format!("crate::{room}::"));
-            assert!(!code.contains(&format!("{own}{{")), "{}: {{ hides a name", path.display());
             let mut names = named_after(code, "super::").chain(named_after(code, &own));
             let handed_on =
                 names.find(|name| name.starts_with(char::is_uppercase) && *name != "Result");
-            assert!(handed_on.is_none() || room == "schema", "{}: {handed_on:?}", path.display());
+            let hides = code.contains(&format!("{own}{{"));
+            assert!(
+                (handed_on.is_none() && !hides) || room == "schema",
+                "{}: {handed_on:?}",
+                path.display()
+            );
         }
     }
 }
