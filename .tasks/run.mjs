@@ -79,6 +79,7 @@ export async function step(name, body, usual) {
 
 /** The programs that run now. @type {Set<import('node:child_process').ChildProcess>} */
 const running = new Set();
+
 /**
  * Runs a program to its end and returns its standard output, which is shown as it comes.
  * @param {string} program
