@@ -10,7 +10,7 @@ import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
-import { Builder, Key } from 'selenium-webdriver';
+import { Builder, error, Key } from 'selenium-webdriver';
 import { findEngines, findProgram } from './engines.js';
 import { runs } from './once.js';
 import { Page, patience } from './page.js';
@@ -121,10 +121,22 @@ async function startBrowser(engine, moves, least) {
     endings.push(() => service.kill());
     builder.usingServer(await service.start());
   }
-  const driver = builder.build();
-  endings.push(() => driver.quit());
+  const driver = await startSession(builder);
   await driver.manage().setTimeouts({ script: patience });
   return driver;
+}
+
+/** Firefox has a minute to start, says its driver; on a busy machine it begins anew. @param {Builder} builder @returns {Promise<WebDriver>} */
+async function startSession(builder, tries = 5) {
+  const driver = builder.build();
+  endings.push(() => driver.quit());
+  try {
+    return await driver;
+  } catch (reason) {
+    if (tries === 1 || !(reason instanceof error.TimeoutError)) throw reason;
+    endings.pop();
+    return await startSession(builder, tries - 1);
+  }
 }
 
 /** As root Chromium puts itself before all others, and on a busy machine the other engines starve. @param {string} driver @returns {string[]} the command by which it may not */
