@@ -30,7 +30,7 @@ def command(pose, goal, previous):
     xe, ye, te = error(pose, goal)
     s, c = math.sin(te), math.cos(te)
     cosec, sec = inverse(s), inverse(c)
-    steer = KY * ye**3 * cosec
+    steer = KY * ye * ye * ye * cosec
     v = KX * xe * c - steer + V_R * sec
     w = W_R + KTHETA * s + steer * xe * c * cosec + KX * xe * ye * c + ye * V_R * sec
     # what the motors can do of it: the velocity first, then its change

@@ -123,12 +123,17 @@ for (const language of names)
   test(`run as its head says, the program in ${language} parks and prints its numbers beside the page's`, {
     skip: !runners[language].program && `there is no program for ${language}`,
   }, async () => {
-    for (const { comments } of [en, ko]) {
-      const controller = take(usual, epGains);
+    // J of the second has 21 digits.
+    for (const [{ comments }, gains] of /** @type {const} */ ([
+      [en, epGains],
+      [ko, [-1e17, 0.1, 5]],
+    ])) {
+      const controller = take(usual, gains);
       const text = await printedBy(language, controller, comments);
       const [own] = printed(text);
       const core = numbersOfCore(controller);
-      for (const [k, value] of own.entries()) assert.ok(Math.abs(value - core[k]) < 1e-9, text);
+      for (const [k, value] of own.entries())
+        assert.ok(Math.abs(value - core[k]) < 1e-9 * Math.max(1, core[k]), text);
       for (const line of text.trim().split('\n')) {
         const [, mine, page] = /(\S+) +page (\S+)$/.exec(line) ?? [];
         assert.equal(mine, page, line);
@@ -147,10 +152,14 @@ const unlimited = { speed: null, turnRate: null, acceleration: null, turnAcceler
 
 test('what leaves the finite numbers ends there, in every language', async () => {
   const lost = experiment({ law: 'kanayama', limits: unlimited, sampleTime: 0.1 });
-  const some = [take(lost, [1000, 0, 0]), take(lost, [-500, 1, 1])];
-  for (const { page } of some) assert.equal(page.outcome, 'diverged');
+  const turning = experiment({ limits: { ...unlimited, turnRate: 2 } });
+  const finite = [take(lost, [1000, 0, 0]), take(lost, [-500, 1, 1]), take(turning, [3, -1, 5])];
+  // Float has no number of this size.
+  const whole = [...finite, take(experiment({ limits: unlimited }), [1e308, 1, 1])];
+  for (const { page } of whole) assert.equal(page.outcome, 'diverged');
   for (const how of [...names, /** @type {const} */ ('float')]) {
     if (!runners[how].program) continue;
+    const some = how === 'float' ? finite : whole;
     const all = await runAll(how, some, wordsOf);
     assert.deepEqual(
       all.map(([, cost]) => cost),

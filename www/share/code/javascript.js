@@ -139,7 +139,7 @@ function main() {
   const page = [${pieces.said.join(', ')}];
   const digits = (value) => String(Number(value.toPrecision(12)));
   for (const [i, name] of [${rows.map((name) => `'${name}'`).join(', ')}].entries())
-    console.log(name.padEnd(12) + digits(own[i]).padEnd(20) + 'page ' + digits(page[i]));
+    console.log(name.padEnd(12) + digits(own[i]).padEnd(19) + ' page ' + digits(page[i]));
 }
 
 // ${words.mainOfModule}

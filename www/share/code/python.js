@@ -82,7 +82,7 @@ ${when(isLimited, clamp(words))}`;
 const laws = {
   'shim-kim': `s, c = math.sin(te), math.cos(te)
 cosec, sec = inverse(s), inverse(c)
-steer = KY * ye**3 * cosec
+steer = KY * ye * ye * ye * cosec
 v = KX * xe * c - steer + V_R * sec
 w = W_R + KTHETA * s + steer * xe * c * cosec + KX * xe * ye * c + ye * V_R * sec`,
   kanayama: `v = V_R * math.cos(te) + KX * xe
@@ -111,6 +111,8 @@ def advance(pose, q):
     x, y, theta = pose
     v, w = q
     h = w * DT / 2
+    ${when(canDiverge, `if not math.isfinite(theta + h):  # ${words.diverged}`)}
+    ${when(canDiverge, '    return math.nan, math.nan, math.nan')}
     chord = v * DT * (math.sin(h) / h if h else 1)
     return x + chord * math.cos(theta + h), y + chord * math.sin(theta + h), theta + 2 * h
 

@@ -20,8 +20,11 @@ export function code({ raw }, ...values) {
 /** A line that is there in some drives. @param {boolean} isThere @param {string} line */
 export const when = (isThere, line) => (isThere ? line : null);
 
-/** @param {number} value */
-const shortest = (value) => (Math.abs(value) < 1e-4 && value !== 0 ? value.toExponential() : String(value));
+/** C has no whole number of more than 18 digits. @param {number} value */
+const shortest = (value) => {
+  const size = Math.abs(value);
+  return (size < 1e-4 && size > 0) || size >= 1e18 ? value.toExponential() : String(value);
+};
 
 /** A number with all its digits, as every language here reads it. @param {number} value @param {string} infinity */
 export const literal = (value, infinity) =>
