@@ -60,7 +60,9 @@ def park(controller):
         path.append(pose)
         distance = math.dist(pose[:2], controller.GOAL[:2])
         turn = abs(controller.wrap(controller.GOAL[2] - pose[2]))
-        if distance <= controller.POSITION and turn <= controller.HEADING:
+        speed, turn_rate = map(abs, q)
+        slow = speed <= getattr(controller, "SLOW", math.inf) and turn_rate <= getattr(controller, "SLOW_TURN", math.inf)
+        if distance <= controller.POSITION and turn <= controller.HEADING and slow:
             return True, n * controller.DT, path
         v, w = q = controller.command(pose, controller.GOAL, q)
         data.actuator("left").ctrl = (v - w * TRACK / 2) / RADIUS

@@ -44,17 +44,56 @@ test("a controller's link opens its drive", () => {
   }
 });
 
-/** What the example says of these files, before anything is simulated. @param {string} cwd @param {string[]} given */
-function refusal(cwd, ...given) {
+/** The example with these files and another mujoco. @param {string} cwd @param {string[]} given @param {string} [stub] */
+function runExample(cwd, given, stub = '') {
   const run = `
-import runpy, sys, types
-sys.modules.setdefault("mujoco", types.ModuleType("mujoco"))
+import math, runpy, sys, types
+mujoco = sys.modules["mujoco"] = types.ModuleType("mujoco")
+${stub}
 sys.argv = ${JSON.stringify(['park.py', ...given])}
 runpy.run_path(${JSON.stringify(join(top, 'examples/mujoco/park.py'))}, run_name="__main__")`;
-  const { stderr, status } = spawnSync(String(anyPython), ['-B', '-c', run], { cwd, encoding: 'utf8' });
+  return spawnSync(String(anyPython), ['-B', '-c', run], { cwd, encoding: 'utf8' });
+}
+
+/** What the example says of these files, before anything is simulated. @param {string} cwd @param {string[]} given */
+function refusal(cwd, ...given) {
+  const { stderr, status } = runExample(cwd, given);
   assert.equal(status, 1);
   return stderr.trim();
 }
+
+/** One in which every robot stands at the goal after a sample. */
+const atOnce = `
+def step(model, data, steps):
+    data.qpos = [2, 2, 0.05, math.cos(math.pi / 8), 0, 0, math.sin(math.pi / 8)]
+one = types.SimpleNamespace
+mujoco.MjModel = one(from_xml_path=lambda path: one(opt=one(timestep=0.01)))
+mujoco.MjData = lambda model: one(qpos=[0] * 7, actuator=lambda name: one())
+mujoco.mj_forward = lambda model, data: None
+mujoco.mj_step = step`;
+
+test(
+  'in the example a robot that has to be slow parks where it is near and slow',
+  {
+    skip: !anyPython && 'there is no Python',
+  },
+  () =>
+    inFolder((cwd) => {
+      const { drive, experiment } = createEngine();
+      const about = { version: '1', link: '' };
+      for (const [name, tolerance] of Object.entries({
+        anyhow: {},
+        slow: { speed: 0.1 },
+        straight: { turnRate: 0.1 },
+      })) {
+        const controller = controllerOf(drive, experiment({ tolerance }), [3, 1, 4], about);
+        writeFileSync(join(cwd, `${name}.py`), writePython({ ...controller, name }, comments));
+      }
+      const { stdout, stderr } = runExample(cwd, ['anyhow.py', 'slow.py', 'straight.py'], atOnce);
+      const times = [...stdout.matchAll(/parks in (\S+) s \(/g)].map(([, time]) => time);
+      assert.deepEqual(times, ['0.01', '0.02', '0.02'], stdout + stderr);
+    }),
+);
 
 test('of a controller whose goal moves the example says that it never parks', {
   skip: !anyPython && 'there is no Python',
