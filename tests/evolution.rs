@@ -6,7 +6,8 @@ use common::{Random, assert_close, evolved, searched_by, valid};
 use ep_locomotion::robot::Gains;
 use ep_locomotion::run::{Experiment, MAX_WORK};
 use ep_locomotion::search::{
-    GenerationRecord, Individual, LAST_GENERATION, LearningRates, Mutation, Tournament, wins_bout,
+    GenerationRecord, Individual, LAST_GENERATION, LearningRates, Method, Mutation, Tournament,
+    wins_bout,
 };
 use ep_locomotion::study::Evolution;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -225,29 +226,29 @@ fn a_run_is_a_function_of_its_experiment_alone() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn dropped_snapshots_are_computed_again_to_the_bit() {
-    let mut large = experiment(7);
-    large.evolution.population = 2000;
-    large.evolution.opponents = 1;
-    large.horizon = 0.01;
-    // 299 populations of this size fill the snapshots; later every fourth is kept.
-    let mut evolution = evolved(large.clone(), 0);
-    let mut kept = vec![evolution.population(0).expect("generation 0")];
-    for generation in 1..=620 {
+    // Of the methods that remember something the one whose generations are the smallest, and which never comes to rest.
+    let mut small = searched_by(|e| e.method = Method::NelderMead);
+    small.horizon = 0.01;
+    // Some 45 000 snapshots of four corners fill their memory; later every fourth is kept.
+    let mut evolution = evolved(small, 0);
+    let mut kept = Vec::new();
+    for generation in 1..=100_000 {
         evolution.step();
-        kept.push(evolution.population(generation).expect("newest"));
+        if generation % 997 == 0 {
+            kept.push((generation, evolution.population(generation).expect("newest")));
+        }
     }
     assert_eq!(evolution.most_driven_again(), 4);
-    for (generation, population) in kept.iter().enumerate().step_by(31) {
-        assert_eq!(&evolution.population(generation as u32).expect("kept or not"), population);
+    for (generation, population) in &kept {
+        assert_eq!(&evolution.population(*generation).expect("kept or not"), population);
     }
+    assert!(kept.windows(2).all(|pair| pair[0].1 != pair[1].1), "it has come to rest");
 }
 
 /// Snapshots are dropped only while what is between two can be driven again in one call.
 #[wasm_bindgen_test(unsupported = test)]
 fn a_record_drives_no_more_than_a_call_may() {
-    let mut long = experiment(7);
-    long.evolution.population = 2000;
-    long.evolution.opponents = 1;
+    let mut long = searched_by(|e| (e.method, e.population) = (Method::Random, 2000));
     long.horizon = 1000.0;
     long.starts = vec![long.goal]; // where nothing is left to drive
     let mut evolution = evolved(long.clone(), 650);
