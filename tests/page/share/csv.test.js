@@ -15,7 +15,11 @@ test('the tables have units in their headers and every digit of the numbers', ()
     .trim()
     .split('\r\n');
   assert.deepEqual([first, second], ['# ep-locomotion 0.1.0', '# http://host/#lab']);
-  assert.match(header, /^generation,drives,J best,.*kx \(1\/s\),ky \(1\/\(m\^2 s\)\),ktheta \(rad\/s\)/);
+  assert.equal(
+    header,
+    'generation,drives,J best,J median,J worst,kx (1/s),ky (1/(m^2 s)),ktheta (rad/s),' +
+      'mean sigma_x (1/s),mean sigma_y (1/(m^2 s)),mean sigma_theta (rad/s)',
+  );
   const kanayama = experiment({ law: 'kanayama' });
   assert.match(
     generationsCsv({ history, experiment: kanayama }, origin),
@@ -36,19 +40,24 @@ test('the tables have units in their headers and every digit of the numbers', ()
   const run = simulate(velocityLimits, [3, 0.1, 5]);
   const v = stability(velocityLimits, [3, 0.1, 5]);
   const drive = driveCsv(run, v, origin).trim().split('\r\n').slice(2);
-  const heads = drive[0].split(',');
-  assert.deepEqual([heads[1], heads[11], heads[15]], ['x (m)', 'V (m^2)', 'dV/dt (m^2/s)']);
+  assert.deepEqual(drive[0].split(','), [
+    ...['t (s)', 'x (m)', 'y (m)', 'theta (rad)', 'v (m/s)', 'omega (rad/s)'],
+    ...['v commanded (m/s)', 'omega commanded (rad/s)', 'x_e (m)', 'y_e (m)', 'theta_e (rad)', 'V (m^2)'],
+    ...['x_e', 'y_e', 'theta_e'].map((part) => `dV/dt promised on ${part} (m^2/s)`),
+    'dV/dt (m^2/s)',
+  ]);
   assert.equal(drive.length, run.time.length + 1);
-  const last = run.time.length - 1;
-  assert.deepEqual(
-    drive[last + 1].split(',').map(Number),
-    [
-      ...[run.time, run.x, run.y, run.theta],
-      ...[run.linear, run.angular, run.commandLinear, run.commandAngular],
-      ...[v.errorX, v.errorY, v.errorTheta, v.lyapunov],
-      ...[v.promisedX, v.promisedY, v.promisedTheta, v.rate],
-    ].map((column) => column[last]),
-  );
+  // At the first the limits cut what is commanded.
+  for (const i of [0, run.time.length - 1])
+    assert.deepEqual(
+      drive[i + 1].split(',').map(Number),
+      [
+        ...[run.time, run.x, run.y, run.theta],
+        ...[run.linear, run.angular, run.commandLinear, run.commandAngular],
+        ...[v.errorX, v.errorY, v.errorTheta, v.lyapunov],
+        ...[v.promisedX, v.promisedY, v.promisedTheta, v.rate],
+      ].map((column) => column[i]),
+    );
 });
 
 test('the table of a drive says what it follows from, with every digit, in lines that readers of tables skip', () => {
