@@ -4,7 +4,7 @@ mod common;
 
 use common::{Random, assert_close};
 use ep_locomotion::number::{Real, SMALL_TURN, wrap};
-use ep_locomotion::robot::{Gains, Posture, Velocity};
+use ep_locomotion::robot::{Posture, Velocity};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -43,13 +43,6 @@ fn what_is_within_a_bound_stays_as_it_is() {
     }
     assert_eq!([2.0.at_most(1.0), 1.0.at_most(2.0)], [1.0, 1.0]);
     assert_eq!([2.0.at_least(1.0), 1.0.at_least(2.0)], [2.0, 2.0]);
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn gains_are_a_triple_and_back() {
-    let gains = Gains::new(1.0, 2.0, 3.0);
-    assert_eq!(gains.to_array(), [1.0, 2.0, 3.0]);
-    assert_eq!(Gains::from([1.0, 2.0, 3.0]), gains);
 }
 
 #[wasm_bindgen_test(unsupported = test)]

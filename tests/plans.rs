@@ -128,7 +128,8 @@ fn the_moves_of_the_simplex_are_those_of_nelder_and_mead() {
         let centre = by_gain(|j| (0..3).map(|rank| corner(rank)[j] / 3.0).sum());
         assert_near(trial(0), by_gain(|j| centre[j] + distance * (centre[j] - corner(3)[j])));
     }
-    for motion in [Motion::Reflection, Motion::Expansion, Motion::InsideContraction] {
+    use Motion::{Expansion, InsideContraction, OutsideContraction, Reflection, Shrink};
+    for motion in [Reflection, Expansion, OutsideContraction, InsideContraction, Shrink] {
         assert!(seen.contains(&motion), "{motion:?}");
     }
 }
