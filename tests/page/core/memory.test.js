@@ -43,11 +43,12 @@ const largest = [
 ];
 
 test('the largest calls leave the memory under its level, and a second time where it was', () => {
-  for (const call of largest) call();
+  // The largest of all finds less in one piece where others were before.
+  for (const call of [...largest, largest[0]]) call();
   const first = taken();
   assert.ok(first <= level, `${first} bytes`);
   for (const call of largest) call();
-  assert.ok(taken() <= level, `${first}, then ${taken()} bytes`);
+  assert.equal(taken(), first);
 });
 
 test('what finds no memory any more says so', async () => {
