@@ -1,7 +1,7 @@
 // What the address bar says, and what it opens.
 import assert from 'node:assert/strict';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
-import { pageNames } from '../../../www/parts/parts.js';
+import { pageNames, places } from '../../../www/parts/parts.js';
 import { holdWorkers } from '../harness/workers.js';
 import { evolve, experiment, paperGains, shown, shownGains, simulate } from '../harness/core.js';
 import { read, readEvolution } from '../harness/reading.js';
@@ -66,12 +66,16 @@ pageTest('back leads to the start, and to what pushes, that were tried there', a
   }
 });
 
-pageTest('from every part each link at the head leads where a press leads', async (page) => {
+pageTest('from every kind of part each link at the head leads where a press leads', async (page) => {
   const wayTo = (/** @type {string} */ name) =>
     page.evaluate((name) => document.getElementById(`page-${name}`)?.getAttribute('href') ?? '', name);
-  for (const from of pageNames) {
+  // Of the part that is open, links and presses ask what can be tried there.
+  const kinds = new Map(
+    pageNames.map((name) => [`${places.triesStarts(name)} ${places.triesDisturbance(name)}`, name]),
+  );
+  await page.open('#lab&v=1');
+  for (const from of kinds.values()) {
     let own = `#${from}&v=1&generation=2&gains=3,1,5&under=random,0.3,0.2,3&from=1,1,0deg`;
-    if (from === pageNames[0]) await page.open(own);
     for (const name of [...pageNames, 'lesson']) {
       await page.evaluate((own) => {
         location.hash = own;
