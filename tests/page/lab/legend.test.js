@@ -12,6 +12,9 @@ const links = steps.flatMap(({ name, blocks }) => {
   return [linkOfStep(number), ...shown.map((link) => hrefOf(link, number).slice(1))];
 });
 
+/** The step and the part of a link: where it has no plane, none of the other links there has. @param {string} link */
+const placeOf = (link) => link.replace(/&.*&lesson/, '&lesson');
+
 /** The words on the plane that lie on the arrow of start or goal, or on its knob. @param {string} words */
 const covering = async (words) => {
   await pageFrames.settled();
@@ -40,18 +43,23 @@ pageTest('in low windows no name of the legend lies on start or goal, in any ste
   if (page.engine !== 'chromium') return;
   /** @type {string[]} */
   const found = [];
+  /** @type {Set<string>} */
+  const planeless = new Set();
   let seen = 0;
   const sizes = [/** @type {const} */ ([1366, 650]), /** @type {const} */ ([1280, 585])];
   try {
     await page.open('#lab&v=1');
     for (const link of links) {
+      if (planeless.has(placeOf(link))) continue;
       await follow(page, link);
+      const before = seen;
       for (const size of sizes) {
         await surround(page, size);
         const { flaws, isSeen } = await page.evaluate(covering, '#legend li');
         for (const flaw of flaws) found.push(`${link}, ${size[0]}: ${flaw}`);
         if (isSeen) seen += 1;
       }
+      if (seen === before) planeless.add(placeOf(link));
       // The next begins in the window that is there.
       sizes.reverse();
     }

@@ -39,12 +39,15 @@ function keepTexts() {
   };
 }
 
-/** The words on the plane that lie on others, or a name there on a start or a goal. */
+/** The step and the part of a link: where it has no plane, none of the other links there has. @param {string} link */
+const placeOf = (link) => link.replace(/&.*&lesson/, '&lesson');
+
+/** The words on the plane that lie on others, or a name there on a start or a goal; null where no plane is. */
 async function overlaid() {
   /** @typedef {{ text: string, left: number, right: number, top: number, bottom: number, whole?: Element }} Said */
   const plane = /** @type {HTMLElement} */ (document.getElementById('plane'));
   const { texts } = /** @type {{ texts: WeakMap<Element, Said[]> }} */ (/** @type {unknown} */ (window));
-  if (!plane.checkVisibility()) return [];
+  if (!plane.checkVisibility()) return null;
   // Pictures follow a new size within some frames, and lie as they will once nothing of them moves.
   let found = [''];
   for (let i = 0, still = 0; i < 60 && still < 4; i += 1) {
@@ -113,19 +116,33 @@ pageTest('on a laptop no words on the plane lie on others in any step of the les
   if (page.engine !== 'chromium') return;
   /** @type {string[]} */
   const found = [];
+  /** @type {Set<string>} */
+  const planeless = new Set();
   try {
     await page.open('#lab&v=1');
     await surround(page, [1366, 768]);
     await page.evaluate(keepTexts);
     for (const [name, link] of links) {
+      if (planeless.has(placeOf(link))) continue;
       await follow(page, link);
-      for (const flaw of await page.evaluate(overlaid)) found.push(`${name}: ${flaw}`);
+      const flaws = await page.evaluate(overlaid);
+      if (!flaws) planeless.add(placeOf(link));
+      for (const flaw of flaws ?? []) found.push(`${name}: ${flaw}`);
     }
   } finally {
     await endSurrounding(page);
   }
   assert.equal(found.join('\n'), '');
 });
+
+/** How many words along the path say what is paid. */
+function paidThere() {
+  const { texts } = /** @type {{ texts: WeakMap<Element, { text: string }[]> }} */ (
+    /** @type {unknown} */ (window)
+  );
+  const canvas = document.getElementById('plane-paths');
+  return (canvas && texts.get(canvas))?.filter(({ text }) => text.startsWith('J ')).length ?? 0;
+}
 
 pageTest('where there is room for what is paid along the path, none of it lies on a knob', async (page) => {
   if (page.engine !== 'chromium') return;
@@ -137,13 +154,7 @@ pageTest('where there is room for what is paid along the path, none of it lies o
     for (const [name, link] of links.filter(([one]) => wanted.includes(one))) {
       await follow(page, link);
       assert.deepEqual(await page.evaluate(overlaid), [], name);
-      const paid = await page.evaluate(() => {
-        const { texts } = /** @type {{ texts: WeakMap<Element, { text: string }[]> }} */ (
-          /** @type {unknown} */ (window)
-        );
-        const canvas = document.getElementById('plane-paths');
-        return (canvas && texts.get(canvas))?.filter(({ text }) => text.startsWith('J ')).length ?? 0;
-      });
+      const paid = await page.evaluate(paidThere);
       assert.ok(paid >= 3, `${name}: ${paid}`);
     }
   } finally {
@@ -160,6 +171,7 @@ pageTest('on a telephone what is paid along the path is read whole', async (page
     await follow(page, 'curves&v=1&view=numbers&generation=20&drives=paper-ep');
     await follow(page, 'curves&v=1&view=stability&generation=20');
     assert.deepEqual(await page.evaluate(overlaid), []);
+    assert.ok((await page.evaluate(paidThere)) > 0);
   } finally {
     await endSurrounding(page);
   }
