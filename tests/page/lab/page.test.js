@@ -123,28 +123,6 @@ engineTest('the source of the page, served or opened as it is, says how to start
   }
 });
 
-pageTest('the page fits without scrolling into 1440 × 900 and 1024 × 768', async (page) => {
-  for (const [width, height] of [
-    [1440, 900],
-    [1024, 768],
-  ]) {
-    await page.resize(width, height);
-    for (const id of ['reset', 'one-generation']) {
-      await page.click(`#${id}`);
-      await read(page);
-      const size = await page.evaluate(() => {
-        const { scrollWidth, scrollHeight } = document.documentElement;
-        return { innerWidth, innerHeight, scrollWidth, scrollHeight };
-      });
-      assert.deepEqual(
-        size,
-        { innerWidth: width, innerHeight: height, scrollWidth: width, scrollHeight: height },
-        id,
-      );
-    }
-  }
-});
-
 engineTest('the page is never wider than a telephone', async (page) => {
   // In a frame, because not every engine's window can be so narrow.
   for (const [width, hash] of /** @type {const} */ ([

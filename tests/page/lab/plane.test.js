@@ -221,58 +221,6 @@ pageTest('start and goal stay within reach when they are dragged out of the plan
   assert.ok(await isInReach('goal-position'), 'the goal, carried up by keys');
 });
 
-pageTest(
-  'what is dragged out of the plane stays where the core allows it, wherever it is tried',
-  async (page) => {
-    for (const [link, id] of /** @type {const} */ ([
-      ['lab&v=1&start=990,0,0', 'start'],
-      ['lab&v=1&goal.x=990&goal.y=990', 'goal'],
-      ['robustness&v=1&start=-990,0,0', 'start'],
-      ['robustness&v=1&goal.x=990&goal.y=-990', 'goal'],
-    ])) {
-      await page.open(`#${link}`);
-      const [dx, dy] = link.includes('start=-990')
-        ? [-600, 0]
-        : [600, link.includes('goal.y=-990') ? 500 : -500];
-      // The window is the edge of what a driver can point at: so the page is told of what lies beyond.
-      await page.evaluate(
-        async (name, right, down) => {
-          const handle = /** @type {HTMLElement} */ (document.getElementById(`${name}-position`));
-          handle.setPointerCapture = () => {};
-          const { left, top, width, height } = handle.getBoundingClientRect();
-          const point = (/** @type {string} */ type, /** @type {number} */ part) =>
-            handle.dispatchEvent(
-              new PointerEvent(type, {
-                pointerId: 1,
-                buttons: type === 'pointerup' ? 0 : 1,
-                bubbles: true,
-                clientX: left + width / 2 + part * right,
-                clientY: top + height / 2 + part * down,
-              }),
-            );
-          point('pointerdown', 0);
-          for (const part of [0.5, 1, 3]) {
-            point('pointermove', part);
-            await new Promise((resolve) => requestAnimationFrame(resolve));
-          }
-          point('pointerup', 3);
-        },
-        id,
-        dx,
-        dy,
-      );
-      const { x, y } = (await read(page))[id];
-      assert.ok(Math.abs(x) <= 1000 && Math.abs(y) <= 1000, `${link}: ${x}, ${y}`);
-      assert.ok(
-        Math.max(Math.abs(x), Math.abs(y)) === 1000,
-        `${link}: it went as far as it may, not to ${x}, ${y}`,
-      );
-      assert.equal(await page.evaluate(() => document.getElementById('message')?.textContent), '', link);
-      assert.deepEqual(await page.problems(), [], link);
-    }
-  },
-);
-
 pageTest('what is dragged stays where a posture may be, where the plane shows more', async (page) => {
   await page.open('#lab&v=1&start=995,0,0&goal.x=960&goal.y=0');
   for (const id of ['start-position', 'goal-position']) {

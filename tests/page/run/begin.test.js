@@ -50,6 +50,16 @@ test('a start that is tried where evolution starts is none', () => {
   assert.equal(store.get().trial, noTrial);
 });
 
+test('what is moved stays where the core allows it, wherever it is tried', () => {
+  for (const link of ['lab', 'robustness'])
+    for (const end of /** @type {const} */ (['start', 'goal'])) {
+      const { actions, store } = pageOf(link);
+      actions.movePosture(end, { x: 1200, y: -3000, theta: 1 }, true);
+      assert.deepEqual(actions.postureOf(end), { x: 1000, y: -1000, theta: 1 }, `${end} of ${link}`);
+      assert.equal(store.get().message, '');
+    }
+});
+
 test('the plane stands still under a hand, and comes near again where a start is tried no more', () => {
   const { actions, store } = pageOf('robustness');
   store.update({ size: { width: 800, height: 600 } });
