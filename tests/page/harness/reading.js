@@ -164,7 +164,7 @@ export async function readTable(page, button) {
       [...row.cells].map((cell) => cell.innerText),
     ),
   );
-  assert.deepEqual(await page.obstacles(), []);
+  assert.deepEqual(await page.obstacles('#table'), []);
   await page.click('#table-close');
   return cells;
 }

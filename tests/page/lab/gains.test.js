@@ -162,8 +162,8 @@ pageTest('whoever drives by hand finds the gains beside every part that drives',
         `nothing of ${part} lies below a page of ${width}`,
         () => document.documentElement.scrollHeight <= innerHeight,
       );
-      assert.deepEqual(await page.obstacles(), []);
     }
+    assert.deepEqual(await page.obstacles(), []);
     const kx = () =>
       page.evaluate(() => Number(/** @type {HTMLInputElement} */ (document.getElementById('gain-kx')).value));
     const before = await kx();
