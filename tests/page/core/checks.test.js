@@ -20,8 +20,7 @@ const goldenText = await readFile(new URL('../../golden.json', import.meta.url),
 const golden = JSON.parse(goldenText);
 
 /** @param {Core} [from] @param {Golden} [known] */
-const results = (from = core, known = golden) =>
-  groupNames.flatMap((group) => resultsOf(from, group, known));
+const results = (from = core, known = golden) => groupNames.flatMap((group) => resultsOf(from, group, known));
 
 /** The names of those that fail, each once. @param {Result[]} all */
 const failing = (all) => [...new Set(all.filter(({ passed }) => !passed).map(({ name }) => name))];

@@ -71,16 +71,6 @@ test('in every part a link tries what the link of what is on screen tries', () =
   }
 });
 
-test('what is wrong with a link stays in sight when its generation is there, until something is done', () => {
-  const { store, actions } = pageOf('lab&goal.x=abc');
-  store.update({ evolving: true, catchingUp: { newest: 4, generation: 4 } });
-  actions.evolve(() => store.get().catchingUp !== null);
-  assert.equal(store.get().generation, 4);
-  assert.match(store.get().message, /goal\.x/);
-  actions.oneGeneration();
-  assert.equal(store.get().message, '');
-});
-
 const usual = experiment('velocity-limits');
 /** So many that they are computed elsewhere. */
 const many = 2000;

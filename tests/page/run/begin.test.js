@@ -23,6 +23,16 @@ test('evolution that was left running goes on from where it was, however far tha
   }
 });
 
+test('what is wrong with a link stays in sight when its generation is there, until something is done', () => {
+  const { store, actions } = pageOf('lab&goal.x=abc');
+  store.update({ evolving: true, catchingUp: { newest: 4, generation: 4 } });
+  actions.evolve(() => store.get().catchingUp !== null);
+  assert.equal(store.get().generation, 4);
+  assert.match(store.get().message, /goal\.x/);
+  actions.oneGeneration();
+  assert.equal(store.get().message, '');
+});
+
 test('what a link waits for can be stopped, but not where running is locked', () => {
   for (const [locked, stops] of /** @type {const} */ ([
     ['', true],
