@@ -1,9 +1,9 @@
 // The memory of the core after whatever it was asked. CALLS=100000 tries longer.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
-import binaryen from 'binaryen';
 import { glue, wasm } from '../harness/core.js';
 import { test } from '../harness/once.js';
+import { withTrap } from '../harness/trap.js';
 import { callsOf, hostile, placesIn, refusal, withOther } from './hostile/calls.js';
 
 /** An instance of its own, for what other tests have not freed takes memory too. @type {typeof import('../../../pkg/ep_locomotion.js')} */
@@ -52,15 +52,9 @@ test('the largest calls leave the memory under its level, and a second time wher
 });
 
 test('what finds no memory any more says so', async () => {
-  const broken = binaryen.readBinary(await readFile(wasm));
-  const { value } = binaryen.getExportInfo(broken.getExport('evaluate'));
-  /** @type {{ Function: { setBody(of: number, body: number): void } }} */ (
-    /** @type {unknown} */ (binaryen)
-  ).Function.setBody(broken.getFunction(value), broken.unreachable());
   /** @type {typeof core} */
   const trap = await import(`${glue}?trap`);
-  await trap.default({ module: broken.emitBinary() });
-  broken.dispose();
+  await trap.default({ module: withTrap(await readFile(wasm), 'evaluate') });
   const said = { name: 'RuntimeError', message: 'ep-locomotion: its memory is used up; free() what is kept' };
   assert.throws(() => trap.evaluate({}, [1, 2, 3]), said);
   assert.equal(trap.simulate({}, [1, 2, 3], 0).arrived, core.simulate({}, [1, 2, 3], 0).arrived);

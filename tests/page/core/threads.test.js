@@ -1,12 +1,12 @@
 // The pool without a browser, with threads that have the core.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
-import binaryen from 'binaryen';
 import { createPool } from '../../../www/core/pool.js';
 import { createSurveys } from '../../../www/core/surveys.js';
 import { Evolution, evaluate, experiment, landscape, robustness, seedRuns, wasm } from '../harness/core.js';
 import { test } from '../harness/once.js';
 import { Thread } from '../harness/threads.js';
+import { withTrap } from '../harness/trap.js';
 
 const bytes = await readFile(wasm);
 const core = await WebAssembly.compile(bytes);
@@ -105,13 +105,7 @@ test('an evolution without end tells how it goes on, and can be aborted', async 
 });
 
 test('a worker whose core broke down fails its job; what one without a core cannot do is done by another', async (t) => {
-  const broken = binaryen.readBinary(bytes);
-  const { value } = binaryen.getExportInfo(broken.getExport('robustness'));
-  /** @type {{ Function: { setBody(of: number, body: number): void } }} */ (
-    /** @type {unknown} */ (binaryen)
-  ).Function.setBody(broken.getFunction(value), broken.unreachable());
-  const trap = await WebAssembly.compile(/** @type {Uint8Array<ArrayBuffer>} */ (broken.emitBinary()));
-  broken.dispose();
+  const trap = await WebAssembly.compile(withTrap(bytes, 'robustness'));
   const empty = new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0));
 
   const surveys = threads(t, 1, [trap, empty, core]);
