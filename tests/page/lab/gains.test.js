@@ -241,13 +241,6 @@ pageTest('gains of every finite size drive at their J or are refused, and the pa
   assert.deepEqual(await readDriver(page), expected('hand', [kx, ky, ktheta]));
 });
 
-pageTest('a decimal comma and a minus sign are understood', async (page) => {
-  await type(page, 'gain-kx', '4,25');
-  await type(page, 'gain-ky', '−0.5');
-  const { gains } = await read(page);
-  assert.deepEqual(gains.slice(0, 2), ['4.250', '-0.500']);
-});
-
 pageTest('what is being typed is not overwritten by what evolution finds', async (page) => {
   // It does not pause by itself, at generation 100, before two generations are seen.
   await page.setPace(0.2);

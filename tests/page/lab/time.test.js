@@ -65,15 +65,6 @@ pageTest(
   },
 );
 
-pageTest('evolution stops at the generation that is asked for', async (page) => {
-  await choose(page, 'until', 'until generation');
-  await typeUntil(page, '1', '2', Key.ENTER);
-  await choose(page, 'pace', 'fastest');
-  await page.click('#run');
-  await rests(page);
-  assert.deepEqual(await readEvolution(page), seedOne(12));
-});
-
 pageTest('evolution stops at the first J below the one that is asked for', async (page) => {
   const evolution = new Evolution(velocityLimits);
   let generation = 0;

@@ -55,6 +55,13 @@ test('what was refused of the gains is gone with them when a link is opened', ()
   assert.deepEqual(store.get().gainErrors, noErrors);
 });
 
+test('of what is typed a decimal comma and a minus sign are understood', () => {
+  const { store, actions } = pageOf('lab&drives=hand&gains=3,1,5');
+  actions.typeGain(0, '4,25');
+  actions.typeGain(1, '−0.5');
+  assert.deepEqual(store.get().handGains, [4.25, -0.5, 5]);
+});
+
 test('a start that a link tries is tried where one can be', () => {
   const start = { x: 2, y: 0, theta: 0 };
   assert.deepEqual(pageOf('robustness&from=2,0,0').store.get().trial.start, start);
