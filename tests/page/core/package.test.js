@@ -15,16 +15,20 @@ import { engineTest, pageTest } from '../harness/browsers.js';
 import { Evolution, evaluate, experiment, landscape, simulate, version, wasm } from '../harness/core.js';
 import { onceOnly, test } from '../harness/once.js';
 import { serve } from '../harness/server.js';
-import { install, installed, manifest, printedBy, project } from './package/installed.js';
+import { exampleIn, install, installed, manifest, printedBy, project } from './package/installed.js';
 
-const writePlain = onceOnly(() => writePage('plain', '../node_modules/ep-locomotion/pkg/ep_locomotion.js'));
+// What is packed is installed once, for the bundled page.
+const writePlain = onceOnly(async () => {
+  await cp(join(top, 'pkg'), join(project, 'pkg'), { recursive: true });
+  await writePage('plain', '../pkg/ep_locomotion.js', await exampleIn(top));
+});
 const writeBundled = onceOnly(async () => {
-  const bundled = await writePage('bundled', 'ep-locomotion');
+  const bundled = await writePage('bundled', 'ep-locomotion', await install());
   await build({ root: bundled, base: './', logLevel: 'warn', build: { target: 'es2022' } });
 });
 
-/** A page that keeps what the example prints. @param {string} folder @param {string} specifier where the package is */
-async function writePage(folder, specifier) {
+/** A page that keeps what the example prints. @param {string} folder @param {string} specifier where the package is @param {string} example */
+async function writePage(folder, specifier, example) {
   const page = join(project, folder);
   await mkdir(page);
   await writeFile(
@@ -38,7 +42,6 @@ async function writePage(folder, specifier) {
      await import('./example.js');
      window.printed = lines;`,
   );
-  const example = await install();
   await writeFile(join(page, 'example.js'), example.replace("'ep-locomotion'", `'${specifier}'`));
   return page;
 }

@@ -12,6 +12,10 @@ after(() => rm(project, { recursive: true }));
 export const installed = join(project, 'node_modules', 'ep-locomotion');
 export const manifest = JSON.parse(await readFile(join(top, 'package.json'), 'utf8'));
 
+/** The example of the README there. @param {string} folder */
+export const exampleIn = async (folder) =>
+  /```js\n(.*?)```/s.exec(await readFile(join(folder, 'README.md'), 'utf8'))?.[1] ?? '';
+
 /** Installs the package; what comes back is the example of its README. */
 export const install = onceOnly(async () => {
   await writeFile(join(project, 'package.json'), '{ "type": "module" }');
@@ -24,7 +28,7 @@ export const install = onceOnly(async () => {
     ],
     { keepColours: false },
   );
-  return /```js\n(.*?)```/s.exec(await readFile(join(installed, 'README.md'), 'utf8'))?.[1] ?? '';
+  return exampleIn(installed);
 });
 
 /** What a program of the project prints, line by line. @param {string} program */
