@@ -151,7 +151,7 @@ test('whatever is changed in an exercise, its link has the run, and the exercise
       );
       assert.equal(again(link), link);
     }),
-    { numRuns: 60 },
+    { numRuns: 200 },
   );
   // What is back is the exercise.
   assert.equal(linkOf(linked(given), experiment).includes('given'), false);

@@ -15,11 +15,18 @@ export function pageOf(link, clock = atRest) {
   const store = createStore(firstState(engine, 'velocity-limits', atEnd), () => {});
   const means = { engine, store, paper: engine.paper(), ...clock, places };
   const actions = createActions(means);
+  // On a slow machine a run comes only a part of its way at once.
+  const { evolve, undo, redo, backToExercise } = actions;
+  const goOn = () => evolve(() => store.get().catchingUp !== null);
+  Object.assign(actions, {
+    undo: () => [undo(), goOn()],
+    redo: () => [redo(), goOn()],
+    backToExercise: () => [backToExercise(), goOn()],
+  });
   const open = (/** @type {string} */ text) => {
     const { opened, problems } = links.openLink(text, engine);
     actions.openLinked(opened, problems);
-    // On a slow machine a link comes only a part of its way at once.
-    actions.evolve(() => store.get().catchingUp !== null);
+    goOn();
   };
   open(link);
   return { engine, store, actions, open };
