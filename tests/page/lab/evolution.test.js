@@ -30,7 +30,7 @@ const framesOfHalfASecond = (page) =>
   });
 
 /** So that evolution does not pause by itself, at generation 100, before the test comes to it. @param {Page} page */
-const inNoHurry = (page) => page.setPace(0.4);
+const inNoHurry = (page) => page.setPace(0.2);
 
 pageTest('Run goes on by itself until Pause, however long that is pressed', async (page) => {
   await inNoHurry(page);
