@@ -59,20 +59,3 @@ pageTest('a large generation is drawn once a frame, also where its record comes 
     await site.close();
   }
 });
-
-pageTest('each line of J lies within half a pixel of its number', async (page) => {
-  await page.resize(1440, 900);
-  await page.open('#generation&v=1&generation=1&phase=drive');
-  const apart = await page.until('the axis is drawn', () => {
-    const attributesOf = (/** @type {string} */ selector, /** @type {string} */ name) =>
-      [...document.querySelectorAll(`#generation-picture .axis ${selector}`)].map((one) =>
-        Number(one.getAttribute(name)),
-      );
-    const lines = attributesOf('line:not([class])', 'y1');
-    // Letters stand on a line 4 pixels below their middle.
-    const numbers = attributesOf('text.end', 'y').map((y) => y - 4);
-    const nearest = lines.map((line) => Math.min(...numbers.map((number) => Math.abs(number - line))));
-    return nearest.length > 3 && nearest;
-  });
-  assert.ok(Math.max(...apart) <= 0.5, apart.join(', '));
-});

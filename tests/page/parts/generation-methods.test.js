@@ -4,12 +4,13 @@ import { methods } from '../../../www/core/methods.js';
 import { dissect } from '../../../www/parts/generation/record.js';
 import { phasesOf, shownIn } from '../../../www/parts/generation/phases.js';
 import { pointsOf, sketchOf } from '../../../www/parts/generation/sketch.js';
+import { generationTable } from '../../../www/parts/generation/table.js';
 import * as en from '../../../www/parts/generation/words/en.js';
 import * as ko from '../../../www/parts/generation/words/ko.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { Evolution, experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
-import { followTo } from './generation-page.js';
+import { followTo, ownSection } from './generation-page.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../../../www/parts/generation/record.js').Anatomy} Anatomy */
@@ -34,7 +35,12 @@ const isNear = (a, b) => a.every((value, i) => Math.abs(value - b[i]) <= 1e-9 * 
 test('every phase of every method has its sentence and its name, in both languages', () => {
   const said = new Map();
   for (const method of rivals)
-    for (const anatomy of anatomiesOf(method, 120))
+    for (const anatomy of anatomiesOf(method, 120)) {
+      const { count, columns, rowOf } = generationTable(anatomy);
+      for (let row = 0; row < count; row += 1) {
+        assert.equal(rowOf(row).length, columns.length);
+        assert.doesNotMatch(rowOf(row).join(), /undefined|NaN/);
+      }
       for (const phase of phasesOf(anatomy))
         for (const words of [en, ko]) {
           const text = words.sentence(anatomy, phase);
@@ -43,6 +49,7 @@ test('every phase of every method has its sentence and its name, in both languag
           for (const number of anatomy.all.keys()) assert.ok(words.nameOf(anatomy, number));
           said.set(`${method} ${phase} ${text.replace(/[\d.·⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+/g, '#')}`, true);
         }
+    }
   // Each move of the simplex, each outcome of a step.
   for (const part of [
     'Reflection',
@@ -57,44 +64,6 @@ test('every phase of every method has its sentence and its name, in both languag
       [...said.keys()].some((text) => text.includes(part)),
       part,
     );
-});
-
-test('why a slope cannot be told, and why a simplex begins anew, is said as it is', () => {
-  const [probed] = anatomiesOf('finite-differences', 1).slice(-1);
-  const untold = { ...probed.record, next: { ...probed.record.next, slope: null, steps: null } };
-  for (const [words, arrives] of /** @type {const} */ ([
-    [en, /arriv/],
-    [ko, /도착/],
-  ]))
-    assert.doesNotMatch(words.sentence({ ...probed, record: untold }, 'survivors'), arrives);
-
-  const begun = anatomiesOf('nelder-mead', 400).find(
-    ({ record }) => record.generation > 0 && record.plan.motion === 'begin',
-  );
-  assert.ok(begun);
-  const parents = begun.record.parents.map((one) => ({ ...one, cost: Number.POSITIVE_INFINITY }));
-  const nowhere = { ...begun, record: { ...begun.record, parents } };
-  for (const [words, shrunk] of /** @type {const} */ ([
-    [en, /shrunk/],
-    [ko, /줄어/],
-  ])) {
-    assert.match(words.sentence(begun, 'parents'), shrunk);
-    assert.doesNotMatch(words.sentence(nowhere, 'parents'), shrunk);
-  }
-});
-
-test('only luck is of this time: by J alone it is always the lowest that stay', () => {
-  for (const [words, thisTime] of /** @type {const} */ ([
-    [en, /^This time/],
-    [ko, /^이번에는/],
-  ])) {
-    const [lowest] = anatomiesOf('ep', 1, { selection: 'truncation' }).slice(-1);
-    assert.doesNotMatch(words.upsetText(lowest), thisTime);
-    const lucky = anatomiesOf('ep', 40, { population: 3 }).find(
-      ({ record, upset }) => record.generation > 0 && !upset,
-    );
-    assert.match(words.upsetText(/** @type {Anatomy} */ (lucky)), thisTime);
-  }
 });
 
 test('all that a phase draws lies among the points for which the picture has room', () => {
@@ -268,26 +237,48 @@ pageTest('the ranks of CMA-ES tell their weights, and so does its table', async 
   );
 });
 
+/** What is said of the picture in each phase that can be chosen, and how high the page is then. @param {Page} page */
+const seenPhases = (page) =>
+  page.evaluate(async () => {
+    const seen = [];
+    for (const { id, value } of /** @type {NodeListOf<HTMLInputElement>} */ (
+      document.querySelectorAll('#generation-phases input:not(:disabled)')
+    )) {
+      document.getElementById(id)?.click();
+      await pageFrames.settled();
+      const picture = document.getElementById('generation-picture');
+      const said = picture?.dataset.drawn === value ? picture.getAttribute('aria-valuetext') : null;
+      seen.push({ phase: value, said: said ?? '', height: document.documentElement.scrollHeight });
+    }
+    return seen;
+  });
+
+/** The paper's own method stands in generation-steps.test.js. @type {readonly [Method, Partial<typeof base.evolution>][]} */
+const searches = [
+  ...rivals.map((method) => /** @type {[Method, {}]} */ ([method, {}])),
+  ['ep', { selection: 'truncation' }],
+  ['ep', { crossover: 1 }],
+];
+
 pageTest(
   'each phase of each method is in sight without scrolling, and readable for everybody',
   async (page) => {
     await page.resize(1024, 768);
     for (const language of ['en', 'ko']) {
       await page.open(`#generation&v=1&lang=${language}`);
-      for (const method of rivals) {
-        await openAt(page, method, 4, 'parents', `&lang=${language}`);
-        const there = phasesOf(anatomiesOf(method, 4)[4]);
-        for (const phase of there) {
-          await page.click(`#generation-phases-${phase}`);
-          const { said } = await readDetails(page);
-          assert.ok(said.includes('J ') || phase === 'mutation', said);
-          assert.equal(
-            await page.evaluate(() => document.documentElement.scrollHeight),
-            768,
-            `${language} ${method} ${phase}`,
-          );
+      for (const [method, change] of searches) {
+        const settings = Object.entries(change).map(([name, value]) => `&evolution.${name}=${value}`);
+        await openAt(page, method, 4, 'parents', `&lang=${language}${settings.join('')}`);
+        const seen = await seenPhases(page);
+        assert.deepEqual(
+          seen.map(({ phase }) => phase),
+          phasesOf(anatomiesOf(method, 4, change)[4]),
+        );
+        for (const { phase, said, height } of seen) {
+          assert.ok(phase === 'mutation' ? said !== '' : said.includes('J '), said);
+          assert.equal(height, 768, `${language} ${method} ${phase}`);
         }
-        if (language === 'en') assert.deepEqual(await page.obstacles(), [], method);
+        if (language === 'en') assert.deepEqual(await page.obstacles(ownSection), [], method);
       }
       assert.deepEqual(await page.problems(), []);
     }

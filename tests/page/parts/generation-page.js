@@ -56,6 +56,9 @@ export function same(printed, exact, what) {
   );
 }
 
+/** Where the part stands. */
+export const ownSection = 'section[data-page="generation"]';
+
 /** @param {Page} page @param {Phase} phase */
 export const go = (page, phase) => page.click(`#generation-phases-${phase}`);
 

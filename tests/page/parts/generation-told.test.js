@@ -1,13 +1,14 @@
 // What Generation tells of a method is true also of its rare generations.
 import assert from 'node:assert/strict';
 import { madeBy, successesIn } from '../../../www/parts/generation/detail-methods.js';
+import { detailsOf } from '../../../www/parts/generation/details.js';
 import { sidesOf } from '../../../www/parts/generation/gain-view.js';
 import { dissect } from '../../../www/parts/generation/record.js';
 import * as en from '../../../www/parts/generation/words/en.js';
 import * as ko from '../../../www/parts/generation/words/ko.js';
-import { pageTest } from '../harness/browsers.js';
 import { Evolution, experiment } from '../harness/core.js';
 import { test } from '../harness/once.js';
+import { written } from '../harness/templates.js';
 
 /** @typedef {import('../../../www/parts/generation/record.js').Anatomy} Anatomy */
 /** @typedef {import('../../../www/parts/generation/record.js').Method} Method */
@@ -25,50 +26,62 @@ function anatomiesOf(method, generations, change = {}) {
 /** @param {readonly { cost: number }[]} some */
 const bestOf = (some) => Math.min(...some.map(({ cost }) => cost));
 
-pageTest('below those that stay stand their ranks', async (page) => {
-  for (const [method, generation] of /** @type {const} */ ([
-    ['de', 9],
-    ['de', 0],
-    ['random', 9],
+test('of a better probe that is not taken nobody says that the best J stays', () => {
+  const isTold = new Set();
+  for (const seed of [2, 4])
+    for (const anatomy of anatomiesOf('finite-differences', 12, { seed })) {
+      const { plan, parents, offspring } = anatomy.record;
+      if (plan.steps) continue;
+      const isBetter = bestOf(offspring) < bestOf(parents);
+      isTold.add(isBetter);
+      const model = /** @type {any} */ ({ anatomy, phase: 'survivors', chosen: 0, successes: null });
+      const told = written(detailsOf(model, /** @type {any} */ ({ choose() {} })));
+      const cost = en.costWriter(anatomy)(parents[0].cost);
+      assert.ok(told.includes(`<p>${en.probedText(cost, isBetter)}</p>`), told);
+    }
+  assert.equal(isTold.size, 2);
+  for (const [words, best, probe] of /** @type {const} */ ([
+    [en, /best/i, /probe/i],
+    [ko, /최소/, /시험점은/],
   ]))
-    for (const [language, name] of /** @type {const} */ ([
-      ['en', 'rank'],
-      ['ko', '순위'],
-    ])) {
-      await page.open(
-        `#generation&v=1&lang=${language}&evolution.method=${method}&generation=${generation}&phase=survivors`,
-      );
-      const across = await page.until('the axis', () => {
-        const texts = [...document.querySelectorAll('.generation-picture .axis text')];
-        return texts.length > 0 && texts.map((one) => one.textContent);
-      });
-      assert.ok(across.includes(name), `${method}, generation ${generation}: ${across}`);
+    for (const isBetter of [true, false]) {
+      assert.doesNotMatch(words.probedText('8.000', isBetter), best);
+      assert.equal(probe.test(words.probedText('8.000', isBetter)), isBetter);
     }
 });
 
-pageTest('of a better probe that is not taken nobody says that the best J stays', async (page) => {
-  for (const [language, best, probe] of /** @type {const} */ ([
-    ['en', /best/i, /probe/i],
-    ['ko', /최소/, /시험점은/],
+test('why a slope cannot be told, and why a simplex begins anew, is said as it is', () => {
+  const [probed] = anatomiesOf('finite-differences', 1).slice(-1);
+  const untold = { ...probed.record, next: { ...probed.record.next, slope: null, steps: null } };
+  for (const [words, arrives] of /** @type {const} */ ([
+    [en, /arriv/],
+    [ko, /도착/],
   ]))
-    for (const [seed, generation] of [
-      [4, 1],
-      [2, 1],
-      [2, 3],
-      [2, 6],
-      [2, 11],
-    ]) {
-      const { record } = anatomiesOf('finite-differences', generation, { seed })[generation - 1];
-      assert.equal(record.plan.steps, null);
-      await page.open(
-        `#generation&v=1&lang=${language}&evolution.method=finite-differences&seed=${seed}&generation=${generation}&phase=survivors&individual=0`,
-      );
-      const told = await page.until('it is told', () =>
-        document.querySelector('#generation-details .headline + p')?.textContent?.trim(),
-      );
-      assert.doesNotMatch(told, best);
-      assert.equal(probe.test(told), bestOf(record.offspring) < bestOf(record.parents), told);
-    }
+    assert.doesNotMatch(words.sentence({ ...probed, record: untold }, 'survivors'), arrives);
+
+  const begun = anatomiesOf('nelder-mead', 400).find(({ record }) => record.plan.motion === 'begin');
+  assert.ok(begun);
+  const parents = begun.record.parents.map((one) => ({ ...one, cost: Number.POSITIVE_INFINITY }));
+  const nowhere = { ...begun, record: { ...begun.record, parents } };
+  for (const [words, shrunk] of /** @type {const} */ ([
+    [en, /shrunk/],
+    [ko, /줄어/],
+  ])) {
+    assert.match(words.sentence(begun, 'parents'), shrunk);
+    assert.doesNotMatch(words.sentence(nowhere, 'parents'), shrunk);
+  }
+});
+
+test('only luck is of this time: by J alone it is always the lowest that stay', () => {
+  for (const [words, thisTime] of /** @type {const} */ ([
+    [en, /^This time/],
+    [ko, /^이번에는/],
+  ])) {
+    const [lowest] = anatomiesOf('ep', 1, { selection: 'truncation' }).slice(-1);
+    assert.doesNotMatch(words.upsetText(lowest), thisTime);
+    const lucky = anatomiesOf('ep', 40, { population: 3 }).find(({ upset }) => !upset);
+    assert.match(words.upsetText(/** @type {Anatomy} */ (lucky)), thisTime);
+  }
 });
 
 test('the probes of a slope are said to be one point only where the picture shows one', () => {
