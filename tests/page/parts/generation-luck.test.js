@@ -1,16 +1,29 @@
 // What luck did to the robots of a generation, and where their names stand.
 import assert from 'node:assert/strict';
 import { expectedWins, winsBout } from '../../../www/core/rules.js';
+import { detailsOf } from '../../../www/parts/generation/details.js';
 import { lettersOf, writingOf } from '../../../www/parts/generation/notes.js';
 import { orderOf, placesOf } from '../../../www/parts/generation/places.js';
 import { createAnatomy, createChosenDrives, dissect } from '../../../www/parts/generation/record.js';
 import { generationSlice } from '../../../www/parts/generation/state.js';
+import { generationTable } from '../../../www/parts/generation/table.js';
 import * as en from '../../../www/parts/generation/words/en.js';
 import * as ko from '../../../www/parts/generation/words/ko.js';
 import { pageTest } from '../harness/browsers.js';
 import { Evolution } from '../harness/core.js';
 import { test } from '../harness/once.js';
-import { count, go, numbersIn, openAt, rank, recordOf, shownOn, velocityLimits } from './generation-page.js';
+import { written } from '../harness/templates.js';
+import {
+  count,
+  go,
+  nameOf,
+  numbersIn,
+  openAt,
+  rank,
+  recordOf,
+  shownOn,
+  velocityLimits,
+} from './generation-page.js';
 
 test('the wins to expect are the mean over all whom one may meet', () => {
   const costs = [3, 1, 2, 2, Infinity, 7, Infinity];
@@ -20,6 +33,51 @@ test('the wins to expect are the mean over all whom one may meet', () => {
       return (bouts * others.filter((other) => winsBout(own, other)).length) / others.length;
     });
     assert.deepEqual(expectedWins(costs, bouts), exact);
+  }
+});
+
+test('in a tournament each of them has the bouts of the record', () => {
+  const anatomy = anatomyOf(7);
+  const { record, all } = anatomy;
+  // From left to right each parent stands before its offspring.
+  const pairs = Array.from({ length: count }, (_, pair) => [pair, pair + count]);
+  assert.deepEqual(orderOf(anatomy, 'tournament'), pairs.flat());
+  const costs = all.map(({ cost }) => cost);
+  assert.deepEqual(orderOf(anatomy, 'ranking'), rank(record.wins, costs));
+  for (const chosen of all.keys()) {
+    const model = /** @type {any} */ ({ anatomy, phase: 'tournament', chosen });
+    const html = written(detailsOf(model, /** @type {any} */ ({ choose() {} })));
+    const [, ...bouts] = html.split('<li');
+    const won = record.opponents[chosen].map((other) => winsBout(all[chosen].cost, all[other].cost));
+    assert.deepEqual(
+      bouts.map((bout) => [/(?:parent|offspring) \d+/.exec(bout)?.[0], bout.includes('✓')]),
+      Array.from(record.opponents[chosen], (other, i) => [nameOf(other), won[i]]),
+    );
+    assert.equal(won.filter(Boolean).length, record.wins[chosen]);
+  }
+});
+
+test('the table of a generation is ranked by wins, then by J, and the first of it are the parents of the next', () => {
+  const [anatomy, next] = [7, 8].map((generation) => anatomyOf(generation));
+  const rowsOf = (/** @type {typeof anatomy} */ of) => {
+    const { columns, count: rows, rowOf } = generationTable(of);
+    return Array.from({ length: rows }, (_, i) =>
+      Object.fromEntries(rowOf(i).map((text, column) => [columns[column], text])),
+    );
+  };
+  const [rows, after] = [anatomy, next].map(rowsOf);
+  assert.equal(rows.length, 2 * count);
+  const costs = [...rows].sort((a, b) => Number(a.number) - Number(b.number)).map(({ J }) => Number(J));
+  const order = rank(anatomy.record.wins, costs);
+  assert.deepEqual(
+    rows.map(({ number, wins, survives }) => [Number(number), Number(wins), survives]),
+    order.map((number, i) => [number, anatomy.record.wins[number], i < count ? 'yes' : 'no']),
+  );
+  assert.deepEqual(order.slice(0, count), anatomy.record.survivors);
+  for (let i = 0; i < count; i += 1) {
+    const parent = after.find(({ who }) => who === `parent ${i + 1}`);
+    for (const column of ['kx', 'ky', 'kθ', 'σx', 'σy', 'σθ'])
+      assert.equal(parent?.[column], rows[i][column]);
   }
 });
 
@@ -150,27 +208,6 @@ test('in a ranking the names of the two whom luck told apart cover no mark, and 
       const next = writingOf(places[fallen], [...marks, ...letters], size, true, name);
       assert.notDeepEqual(next, { x, y, side }, what);
     }
-});
-
-pageTest('what stands at the limit of the axis is no number of a line below it', async (page) => {
-  await page.resize(1366, 768);
-  for (const asked of ['1', '2', '5', '3&start=-1000,-1000,0&goal.x=1000&goal.y=1000']) {
-    await page.open(`#generation&v=1&generation=${asked}&phase=ranking`);
-    const texts = await page.until('the axis', () => {
-      const all = [
-        ...document.querySelectorAll('.generation-picture .axis .end, .generation-picture .axis text'),
-      ];
-      const found = [...new Set(all.map((one) => one.textContent ?? ''))];
-      return found.some((text) => text.endsWith('↑')) && found;
-    });
-    const limit = texts.find((text) => text.endsWith('↑'))?.replace(' ↑', '') ?? '';
-    assert.ok(limit !== '' && !texts.includes(limit), texts.join(', '));
-    // As long as the others, in thousands and millions where they are.
-    const ends = texts.filter((text) => /^\d.*\d[kMG]?$/.test(text) && text !== '0');
-    const longest = Math.max(...ends.map((text) => text.length));
-    assert.ok(limit.length <= longest + 2, texts.join(', '));
-    if (asked.includes('&')) assert.match(limit, /[kMG]$/, texts.join(', '));
-  }
 });
 
 pageTest('the ranking says of each what it had to expect and what luck did', async (page) => {

@@ -130,3 +130,27 @@ test('to go back ends an evolution that goes on, at once', () => {
   steps.back();
   assert.equal(store.get().evolving, false);
 });
+
+/** The phases of each method of search, and of the paper's as it is changed. */
+const courses = /** @type {const} */ ([
+  ['method=random', ['parents', 'mutation', 'drive', 'survivors']],
+  ['method=de', ['parents', 'mutation', 'drive', 'survivors']],
+  ['method=cma-es', ['parents', 'mutation', 'drive', 'ranking', 'survivors']],
+  ['method=one-plus-one-es', ['parents', 'mutation', 'drive', 'survivors']],
+  ['method=nelder-mead', ['parents', 'mutation', 'drive', 'survivors']],
+  ['method=one-at-a-time', ['parents', 'mutation', 'drive', 'survivors']],
+  ['method=finite-differences', ['parents', 'mutation', 'drive', 'survivors']],
+  ['selection=truncation', ['parents', 'mutation', 'drive', 'ranking', 'survivors']],
+  ['crossover=1', ['parents', 'mutation', 'drive', 'tournament', 'ranking', 'survivors']],
+]);
+
+test('one goes through the phases that a search has, and then into the next generation', () => {
+  for (const [setting, phases] of courses) {
+    const { steps, seen } = stepsIn(`generation&v=1&generation=5&phase=parents&evolution.${setting}`);
+    for (const phase of phases) {
+      assert.deepEqual(seen(), [5, phase], setting);
+      steps.next();
+    }
+    assert.deepEqual(seen(), [6, 'parents'], setting);
+  }
+});

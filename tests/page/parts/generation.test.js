@@ -1,7 +1,7 @@
 // The numbers of a generation, phase by phase.
 import assert from 'node:assert/strict';
 import { margin } from '../../../www/parts/generation/places.js';
-import { Key, pageTest } from '../harness/browsers.js';
+import { pageTest } from '../harness/browsers.js';
 import { simulate } from '../harness/core.js';
 import { read } from '../harness/reading.js';
 import {
@@ -16,7 +16,6 @@ import {
   recordOf,
   same,
   shownOn,
-  table,
   velocityLimits,
 } from './generation-page.js';
 
@@ -123,81 +122,6 @@ pageTest('every number of every phase is the record of the core', async (page) =
   }
 });
 
-pageTest('the phases add up to exactly the recorded generation', async (page) => {
-  await openAt(page, 7);
-  const record = recordOf(7);
-  /** @type {number[]} */
-  const wins = [];
-  await go(page, 'tournament');
-  await page.focus('#generation-picture');
-  await page.press(Key.HOME);
-  for (let i = 0; i < 2 * count; i++) {
-    // From left to right each parent stands before its offspring.
-    const number = i % 2 ? count + (i - 1) / 2 : i / 2;
-    const seen = await shownOn(page);
-    assert.equal(seen.chosen, nameOf(number));
-    wins[number] = seen.bouts.filter((text) => text.includes('✓')).length;
-    await page.press(Key.ARROW_RIGHT);
-  }
-  assert.deepEqual(wins, record.wins);
-
-  await go(page, 'mutation');
-  await page.focus('#generation-picture');
-  await page.press(Key.HOME);
-  for (let pair = 0; pair < count; pair++) {
-    const { equations } = await shownOn(page);
-    for (const i of [0, 1, 2]) {
-      const [gain, sigma, draw, sum] = numbersIn(equations[2 * i]).map(Number);
-      assert.ok(
-        Math.abs(gain + sigma * draw - sum) < 0.0006 * (2 + Math.abs(draw) + sigma),
-        equations[2 * i],
-      );
-      const [old, common, tau, own, after] = numbersIn(equations[2 * i + 1]).map(Number);
-      const expected = old * Math.exp(common + tau * own);
-      assert.ok(Math.abs(expected - after) < 0.0006 + 0.004 * after, equations[2 * i + 1]);
-    }
-    await page.press(Key.ARROW_RIGHT, Key.ARROW_RIGHT);
-  }
-
-  const rows = await table(page);
-  assert.equal(rows.length, 2 * count);
-  const costs = [...rows].sort((a, b) => Number(a.number) - Number(b.number)).map(({ J }) => Number(J));
-  const order = rank(wins, costs);
-  assert.deepEqual(
-    rows.map(({ number }) => Number(number)),
-    order,
-  );
-  assert.deepEqual(order.slice(0, count), record.survivors);
-  assert.deepEqual(
-    rows.map(({ survives }) => survives),
-    rows.map((_, i) => (i < count ? 'yes' : 'no')),
-  );
-
-  // The survivors are the parents of the next generation, in the order of their rank.
-  await page.click('#one-generation');
-  const next = await table(page);
-  for (let i = 0; i < count; i++) {
-    const parent = next.find(({ who }) => who === `parent ${i + 1}`);
-    for (const column of ['kx', 'ky', 'kθ', 'σx', 'σy', 'σθ'])
-      assert.equal(parent?.[column], rows[i][column]);
-  }
-});
-
-pageTest('the rule of mutation stands in one line', async (page) => {
-  await openAt(page, 1);
-  await go(page, 'mutation');
-  await shownOn(page);
-  const [rule, exponent] = await page.evaluate(() =>
-    ['.rule', '.rule sup'].map((selector) => {
-      const { top, bottom } = /** @type {Element} */ (
-        document.querySelector(`#generation-details ${selector}`)
-      ).getBoundingClientRect();
-      return { top, height: bottom - top };
-    }),
-  );
-  assert.ok(rule.height < 30 && exponent.top < rule.top + rule.height / 2, JSON.stringify([rule, exponent]));
-});
-
 pageTest(
   'where evolution has nearly ended the axis of J is whole, and its numbers stand apart',
   async (page) => {
@@ -228,18 +152,6 @@ pageTest(
     assert.equal(index, 'i', 'an index of the formula’s own font, which is not cut');
   },
 );
-
-pageTest('one button leads on: to breed, and then to the next phase', async (page) => {
-  const leading = () =>
-    page.evaluate(() =>
-      [...document.querySelectorAll('.primary')].filter((one) => one.checkVisibility()).map(({ id }) => id),
-    );
-  await openAt(page, 0);
-  assert.deepEqual(await leading(), ['generation-begin']);
-  await page.click('#generation-begin');
-  await page.until('generation 1', () => document.getElementById('generation-begin')?.hidden);
-  assert.deepEqual(await leading(), ['generation-next']);
-});
 
 pageTest('a press in a column chooses who stands there, however high', async (page) => {
   await openAt(page, 3);
