@@ -18,9 +18,9 @@ const ascending = (/** @type {number} */ a, /** @type {number} */ b) => a - b;
 
 /** @param {readonly number[]} first @param {readonly number[]} others */
 function byPairs(first, others) {
-  /** @type {number[]} */
-  const points = first.flatMap((a) => others.map((b) => (b < a ? 1 : b === a ? 0.5 : 0)));
-  return points.reduce((sum, point) => sum + point, 0) / points.length;
+  let points = 0;
+  for (const a of first) for (const b of others) points += b < a ? 1 : b === a ? 0.5 : 0;
+  return points / (first.length * others.length);
 }
 
 /** Every choice of so many of the places. @param {number} count @param {number} from @param {number} end @returns {number[][]} */
@@ -112,15 +112,16 @@ test('Fisher’s p is the share of all ways to deal out who gets there that are 
   const near = (/** @type {number} */ found, /** @type {number} */ expected) =>
     assert.ok(Math.abs(found - expected) < 1e-9, `${found} is not ${expected}`);
   const [count, otherCount] = [5, 6];
+  const ones = (/** @type {number} */ set) => [...set.toString(2)].filter((bit) => bit === '1').length;
+  // Of each set of eleven runs that are there: how many of them are among the first five.
+  const sets = Array.from({ length: 2 ** (count + otherCount) }, (_, set) => [
+    ones(set),
+    ones(set % 2 ** count),
+  ]);
   for (let reached = 0; reached <= count; reached += 1)
     for (let others = 0; others <= otherCount; others += 1) {
-      // Of all sets of eleven runs with so many there: how many of them are among the first five.
       const ways = new Array(count + 1).fill(0);
-      for (let set = 0; set < 2 ** (count + otherCount); set += 1) {
-        const bits = [...set.toString(2)].filter((bit) => bit === '1').length;
-        const first = [...(set % 2 ** count).toString(2)].filter((bit) => bit === '1').length;
-        if (bits === reached + others) ways[first] += 1;
-      }
+      for (const [all, first] of sets) if (all === reached + others) ways[first] += 1;
       const all = ways.reduce((sum, one) => sum + one, 0);
       const likely = ways.filter((one) => one <= ways[reached]).reduce((sum, one) => sum + one, 0);
       near(exactTest(reached, count, others, otherCount), likely / all);
