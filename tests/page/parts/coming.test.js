@@ -23,25 +23,29 @@ async function open(page, address, [width, height]) {
   await page.evaluate(() => pageFrames.settled());
 }
 
-/** Whether it is said where it is seen, how much of it lies under something else, and what else is there. @param {Page} page */
-const failure = (page) =>
-  page.until('it is said', () => {
-    const box = document.querySelector('#instrument .part-failed');
-    if (!box?.checkVisibility()) return null;
-    const { top, bottom, left, right } = box.getBoundingClientRect();
-    const robot = document.querySelector('.robot')?.getBoundingClientRect() ?? new DOMRect();
-    const others = [...document.querySelectorAll('#instrument [data-page]')].filter(
-      (element) => !element.contains(box) && element.checkVisibility(),
-    );
-    return {
-      text: box.textContent ?? '',
-      isSeen: top >= 0 && bottom <= innerHeight,
-      crosses: robot.bottom > top && robot.top < bottom && robot.right > left && robot.left < right,
-      plane: robot.height,
-      others: others.map(({ id }) => id),
-      title: document.title,
-    };
-  });
+/** Whether it is said where it is seen, how much of it lies under something else, and what else is there. @param {Page} page @param {string} part */
+const failure = (page, part) =>
+  page.until(
+    'it is said',
+    (name) => {
+      const box = document.querySelector(`#instrument [data-page="${name}"] .part-failed`);
+      if (!box?.checkVisibility()) return null;
+      const { top, bottom, left, right } = box.getBoundingClientRect();
+      const robot = document.querySelector('.robot')?.getBoundingClientRect() ?? new DOMRect();
+      const others = [...document.querySelectorAll('#instrument [data-page]')].filter(
+        (element) => !element.contains(box) && element.checkVisibility(),
+      );
+      return {
+        text: box.textContent ?? '',
+        isSeen: top >= 0 && bottom <= innerHeight,
+        crosses: robot.bottom > top && robot.top < bottom && robot.right > left && robot.left < right,
+        plane: robot.height,
+        others: others.map(({ id }) => id),
+        title: document.title,
+      };
+    },
+    part,
+  );
 
 pageTest('a part that cannot be loaded leaves the plane where it is, and says so in sight', async (page) => {
   const site = await serve(undefined, {
@@ -50,10 +54,10 @@ pageTest('a part that cannot be loaded leaves the plane where it is, and says so
   });
   try {
     for (const size of sizes) {
+      await open(page, `${site.address}#lab&v=1`, size);
       for (const part of ['landscape', 'robustness', 'training', 'generation', 'lesson']) {
-        await open(page, `${site.address}#lab&v=1`, size);
         await page.click(`#page-${part}`);
-        const { text, isSeen, crosses, plane, others, title } = await failure(page);
+        const { text, isSeen, crosses, plane, others, title } = await failure(page, part);
         const where = `${part} at ${size}`;
         assert.ok(isSeen, where);
         // Its run has taken the place of the one there was.
@@ -62,11 +66,13 @@ pageTest('a part that cannot be loaded leaves the plane where it is, and says so
         assert.ok(plane > 250, `${where}: a plane of ${plane} pixels`);
         assert.deepEqual(others, [], where);
         assert.match(title, new RegExp(`^${part}`, 'i'));
+        await page.click('#page-lab');
+        await page.until('the lab is there', () => document.getElementById('curve')?.checkVisibility());
       }
     }
     await open(page, `${site.address}#park`, [390, 844]);
     await page.click('#page-lesson');
-    const { isSeen, plane } = await failure(page);
+    const { isSeen, plane } = await failure(page, 'lesson');
     assert.ok(isSeen);
     assert.equal(plane, 0, 'the plane of the lab stands there');
   } finally {

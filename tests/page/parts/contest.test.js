@@ -1,7 +1,7 @@
 // The contest: its numbers are those of the core's trials, counted here once more; and its CSV.
 import assert from 'node:assert/strict';
 import { trials } from '../../../pkg/ep_locomotion.js';
-import { mostRobotsOfCall } from '../../../www/core/bounds.js';
+import { isTooLongSurvey, mostRobotsOfCall } from '../../../www/core/bounds.js';
 import { partsOf } from '../../../www/parts/luck/contest-asked.js';
 import { contestants, entered, ingredientNames } from '../../../www/parts/luck/contestants.js';
 import { pairsText, targetText } from '../../../www/parts/luck/words/common.js';
@@ -56,6 +56,15 @@ test('no part of a contest is more than the core takes in one call, and parts ar
       assert.ok(largest === 8 || (largest + 1) * budget > most, `${largest} of ${most} with ${budget}`);
     }
   }
+});
+
+test('what takes longer than anybody waits is too long, whether of many drives or of long ones', () => {
+  const sampled = { ...velocityLimits, sampleTime: 0.001 };
+  for (const [horizon, isTooLong] of /** @type {const} */ ([
+    [30, false],
+    [100, true],
+  ]))
+    assert.equal(isTooLongSurvey({ ...sampled, horizon }, 8_080_000), isTooLong);
 });
 
 test('the usual target is 0.2 % above the lowest of all, and the standings follow from the trials', () => {

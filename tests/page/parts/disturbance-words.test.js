@@ -128,6 +128,18 @@ test('a set against which nothing pushes is judged of nobody', () => {
   assert.match(en.summaryText(still), /^Without a disturbance/);
 });
 
+test('a set that reaches to a metre or more is said to promise little', () => {
+  for (const [ky, isWide] of /** @type {const} */ ([
+    [1e-4, true],
+    [1, false],
+  ])) {
+    const summary = summaryOf({ kind: 'slip', linear: 0.1, angular: 0.2 }, [3, ky, 5]);
+    assert.equal(summary.rows.y.set >= 1, isWide);
+    assert.equal(en.summaryText(summary).includes(': it promises little.'), isWide);
+    assert.equal(ko.summaryText(summary).endsWith('보장하는 것이 거의 없습니다.'), isWide);
+  }
+});
+
 test('why there are fewer other starts than usual is said where they are', () => {
   const specOf = createSpec(/** @type {any} */ (core), []);
   const state = (/** @type {Partial<Experiment>} */ more) =>
