@@ -20,7 +20,7 @@ pageTest(
         },
         was,
       );
-    for (const population of [20, 200]) {
+    for (const population of [20, 201]) {
       await page.open(at(2, population));
       const second = await marks();
       await page.open(at(1, population));

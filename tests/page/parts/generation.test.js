@@ -21,13 +21,35 @@ import {
 
 pageTest('a table that is asked for while its record is still computed comes with it', async (page) => {
   await page.open('#generation&v=1&horizon=800&population=300&generation=1');
+  await page.until('the first table can be had', () => document.getElementById('generation-table'));
   await page.evaluate(() => {
+    const { prototype } = Worker;
+    const { postMessage } = prototype;
+    /** @type {(() => void)[]} */
+    const waiting = [];
+    prototype.postMessage = function (/** @type {any[]} */ ...asked) {
+      const ask = () => Reflect.apply(postMessage, this, asked);
+      if (asked[0].call !== 'record') return ask();
+      Object.assign(window, { isAsked: true });
+      waiting.push(ask);
+    };
+    addEventListener('records-come', () => {
+      Object.assign(prototype, { postMessage });
+      for (const ask of waiting) ask();
+    });
     location.hash = location.hash.replace('population=300', 'population=301');
   });
-  await page.until('the table is there, however early it was asked for', () => {
-    document.getElementById('generation-table')?.click();
-    return document.querySelector('dialog[open] table tbody tr');
-  });
+  await page.until('the record is asked for', () => 'isAsked' in window);
+  await page.click('#generation-table');
+  assert.equal(await page.evaluate(() => document.querySelector('dialog[open]')), null);
+  await page.evaluate(() => dispatchEvent(new Event('records-come')));
+  const caption = await page.until(
+    'the table is there',
+    () =>
+      document.querySelector('dialog[open] table tbody tr') &&
+      document.querySelector('dialog[open]')?.textContent,
+  );
+  assert.match(caption, /all 602/);
   assert.deepEqual(await page.problems(), []);
 });
 
