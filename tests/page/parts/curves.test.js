@@ -6,6 +6,7 @@ import { ticksUp } from '../../../www/parts/curves/axes.js';
 import { layoutOf } from '../../../www/parts/curves/layout.js';
 import { Evolution, experiment, simulate } from '../harness/core.js';
 import { test } from '../harness/once.js';
+import { follow } from '../whole/surround.js';
 import { coloured, numberOf, pixelsOf, textOf } from '../harness/reading.js';
 import {
   arbitrary,
@@ -193,13 +194,13 @@ pageTest('σ over the generations is told with the numbers of the core', async (
 });
 
 pageTest('which figure of the paper is drawn is said of its own experiments alone', async (page) => {
+  await page.open('#curves');
   for (const [link, note] of /** @type {const} */ ([
     ['', /^Figure 5 /],
     ['&preset=acceleration-limits', /^Figure 7 /],
     ['&goal.x=1', /^not in sight$/],
   ])) {
-    await page.open(`#curves&v=1${link}&drives=paper-ep`);
-    await page.until('the curves are there', () => document.getElementById('curves-lines'));
+    await follow(page, `curves&v=1${link}&drives=paper-ep`);
     assert.match(await textOf(page, '#curves-note'), note, link);
   }
 });
