@@ -154,3 +154,18 @@ test('one goes through the phases that a search has, and then into the next gene
     assert.deepEqual(seen(), [6, 'parents'], setting);
   }
 });
+
+test('a record is asked of the run that is seen, also once the engine has another', () => {
+  const { store, actions } = stepsIn('generation&v=1&generation=2');
+  const seen = store.get();
+  actions.changeSetting('goal.x', 1.5, false);
+  assert.notEqual(store.get().experiment, seen.experiment);
+  /** @type {unknown[]} */
+  let asked = [];
+  const anatomyOf = createAnatomy((...args) => {
+    asked = args;
+    throw new Pending(Promise.resolve());
+  });
+  assert.throws(() => anatomyOf(seen), Pending);
+  assert.deepEqual(asked, [2, seen.experiment]);
+});
