@@ -42,10 +42,14 @@ test('a drive, and whatever else is asked of a task, is what it is under Node', 
   const range = { from: -2, to: 2, count: 3 };
   const grid = { gains: [3, 1, 4], x: range, y: range, headings: 4 };
   const circle = { x: 1, y: 2, radius: 3, count: 7, seed: 5 };
+  /** @type {import('./python.js').Question[]} */
+  const questions = [];
+  /** @type {unknown[]} */
+  const expected = [];
   for (const { experiment, gains } of anyTasks(12)) {
     const [triple] = gains;
     const given = { experiment, triple, landscape, grid, circle };
-    const asked = /** @type {const} */ ([
+    for (const [expression, value] of /** @type {const} */ ([
       ["ep.simulate(given['experiment'], given['triple'])", core.simulate(experiment, triple)],
       ["ep.Task(given['experiment']).experiment", core.experiment(experiment)],
       ["ep.Task(given['experiment']).fares(given['triple'])", core.fares(experiment, triple)],
@@ -56,12 +60,14 @@ test('a drive, and whatever else is asked of a task, is what it is under Node', 
       ],
       ["ep.Task(given['experiment']).robustness(given['grid'])", core.robustness(experiment, grid)],
       ["ep.starts_on_circle(given['circle'])", core.startsOnCircle(circle)],
-    ]);
-    const values = valuesFrom(asked.map(([expression]) => ({ expression, given })));
-    asked.forEach(([expression, value], i) => {
-      assert.deepEqual(values[i], asPython(value), expression);
-    });
+    ])) {
+      questions.push({ expression, given });
+      expected.push(asPython(value));
+    }
   }
+  valuesFrom(questions).forEach((value, i) => {
+    assert.deepEqual(value, expected[i], questions[i].expression);
+  });
 });
 
 test('the core that Python runs asks nothing of whoever runs it', options, async () => {
@@ -202,45 +208,46 @@ test(
   () => {
     const costs = [...core.evaluate({}, [10, 10, 10, 3, 1, 4])];
     const triples = '[[10, 10, 10], [3, 1, 4]]';
-    const [single, list, tuples, empty, copied, threads] = valuesFrom([
-      { expression: 'ep.evaluate({}, (10, 10, 10.0))' },
-      { expression: `ep.evaluate({}, ${triples})` },
-      { expression: `ep.evaluate("velocity-limits", iter(map(tuple, ${triples})))` },
-      { expression: 'ep.evaluate({}, [])' },
-      {
-        expression:
-          "(lambda p, e, t: (e.step(9), p.loads(p.dumps(e)).hash() == e.hash(), p.loads(p.dumps(t)).evaluate([3, 1, 4])))(__import__('pickle'), ep.Evolution({}), ep.Task({}))[1:]",
-      },
-      {
-        expression: `(lambda task: list(__import__('concurrent.futures').futures.ThreadPoolExecutor(4).map(task.evaluate, ${triples} * 50)))(ep.Task({}))`,
-      },
+    const plain = [
+      'ep.evaluate({}, (10, 10, 10.0))',
+      `ep.evaluate({}, ${triples})`,
+      `ep.evaluate("velocity-limits", iter(map(tuple, ${triples})))`,
+      'ep.evaluate({}, [])',
+      "(lambda p, e, t: (e.step(9), p.loads(p.dumps(e)).hash() == e.hash(), p.loads(p.dumps(t)).evaluate([3, 1, 4])))(__import__('pickle'), ep.Evolution({}), ep.Task({}))[1:]",
+      `(lambda task: list(__import__('concurrent.futures').futures.ThreadPoolExecutor(4).map(task.evaluate, ${triples} * 50)))(ep.Task({}))`,
+    ];
+    const ofNumpy = [
+      `ep.evaluate({}, numpy.array(${triples}, dtype=float))`,
+      `ep.evaluate({}, numpy.array(${triples}, dtype='int32'))`,
+      `ep.evaluate({}, numpy.asfortranarray(${triples}))`,
+      'ep.evaluate({}, numpy.array([10, 10, 10], dtype="float32"))',
+      'ep.evaluate({}, [numpy.float32(10)] * 3)',
+      `ep.evaluate({}, list(numpy.array(${triples})))`,
+      'ep.evaluate({}, numpy.zeros((0, 3)))',
+      `(lambda rows: (rows.__setitem__(slice(None), ${triples} * 2), ep.evaluate({}, rows))[1])(numpy.empty(4, object))`,
+      'ep.evaluate({"starts": numpy.zeros((2, 3)), "sampleTime": numpy.float64(0.01)}, [10, 10, 10])',
+      'ep.Evolution({}).step(numpy.int64(2))["generation"]',
+    ];
+    const shapes = ['(3, 2)', '(20,)', '(1, 1, 3)'];
+    const [absent, ...answers] = askPython(
+      [
+        'numpy is None',
+        ...plain,
+        ...ofNumpy,
+        ...shapes.map((shape) => `ep.evaluate({}, numpy.zeros(${shape}))`),
+      ].map((expression) => ({ expression })),
+    );
+    const values = answers.map(({ value, message }) => value ?? message);
+    assert.deepEqual(values.splice(0, plain.length), [
+      costs[0],
+      costs,
+      costs,
+      [],
+      [true, costs[1]],
+      Array(50).fill(costs).flat(),
     ]);
-    assert.equal(single, costs[0]);
-    assert.deepEqual(list, costs);
-    assert.deepEqual(tuples, costs);
-    assert.deepEqual(empty, []);
-    assert.deepEqual(copied, [true, costs[1]]);
-    assert.deepEqual(threads, Array(50).fill(costs).flat());
-    const [absent] = valuesFrom([{ expression: 'numpy is None' }]);
-    if (absent) return;
-    const arrays = valuesFrom([
-      { expression: `ep.evaluate({}, numpy.array(${triples}, dtype=float))` },
-      { expression: `ep.evaluate({}, numpy.array(${triples}, dtype='int32'))` },
-      { expression: `ep.evaluate({}, numpy.asfortranarray(${triples}))` },
-      { expression: 'ep.evaluate({}, numpy.array([10, 10, 10], dtype="float32"))' },
-      { expression: 'ep.evaluate({}, [numpy.float32(10)] * 3)' },
-      { expression: `ep.evaluate({}, list(numpy.array(${triples})))` },
-      { expression: 'ep.evaluate({}, numpy.zeros((0, 3)))' },
-      {
-        expression: `(lambda rows: (rows.__setitem__(slice(None), ${triples} * 2), ep.evaluate({}, rows))[1])(numpy.empty(4, object))`,
-      },
-      {
-        expression:
-          'ep.evaluate({"starts": numpy.zeros((2, 3)), "sampleTime": numpy.float64(0.01)}, [10, 10, 10])',
-      },
-      { expression: 'ep.Evolution({}).step(numpy.int64(2))["generation"]' },
-    ]);
-    assert.deepEqual(arrays, [
+    if (absent.value) return;
+    assert.deepEqual(values.splice(0, ofNumpy.length), [
       ...Array(3).fill({ array: costs }),
       costs[0],
       costs[0],
@@ -250,9 +257,9 @@ test(
       costs[0],
       2,
     ]);
-    for (const shape of ['(3, 2)', '(20,)', '(1, 1, 3)']) {
-      const [{ message }] = askPython([{ expression: `ep.evaluate({}, numpy.zeros(${shape}))` }]);
-      assert.equal(message?.split('but was ')[1], `an array of shape ${shape}`);
-    }
+    assert.deepEqual(
+      values.map((message) => String(message).split('but was ')[1]),
+      shapes.map((shape) => `an array of shape ${shape}`),
+    );
   },
 );

@@ -27,7 +27,10 @@ function found(file, generations) {
 /** @param {string} name @param {string} library */
 const options = (name, library) => ({
   skip:
-    !(areBuilt() && ask(python, ['-c', `import ${library}`]) !== null) && `there is no Python with ${name}`,
+    !(
+      areBuilt() &&
+      ask(python, ['-c', `assert __import__('importlib.util').util.find_spec('${library}')`]) !== null
+    ) && `there is no Python with ${name}`,
 });
 
 for (const [name, library] of [
