@@ -104,13 +104,17 @@ test('what stands behind a receipt in a text is none of it', async () => {
 test('what is cut, forged, of another exercise, of another version, too long, or no hand-in is a row that says so', async () => {
   const { text, link } = await handedIn('s1', good);
   const other = await handedIn('s2', good, `${exercise.replace('J%3C7.9', 'J%3C20')}&goal.x=1`);
-  /** What nobody made with the page, but with digits that fit. @param {string} change @param {string} by */
-  const forge = async (change, by) => {
-    const { sealOf } = await import('../../../www/link/seal.js');
-    const [run, handin] = link.replace(change, by).split('&handin=');
-    const body = decodeURIComponent(handin).split('~').slice(0, -1).join('~').replace(change, by);
-    return `${run}&handin=${encodeURIComponent(`${body}~${sealOf(run, body)}`)}`;
+  const { sealOf } = await import('../../../www/link/seal.js');
+  /** What nobody made with the page, but with digits that fit. @param {...readonly [from: string, to: string]} changes */
+  const forge = (...changes) => {
+    const changed = (/** @type {string} */ text) =>
+      changes.reduce((whole, [from, to]) => whole.replace(from, to), text);
+    const [run, handin] = link.split('&handin=');
+    const body = changed(decodeURIComponent(handin).split('~').slice(0, -1).join('~'));
+    return `${changed(run)}&handin=${encodeURIComponent(`${body}~${sealOf(changed(run), body)}`)}`;
   };
+  const byOther = /** @type {const} */ ([`~${engine.version()}~`, '~9.9.9~']);
+  const otherJ = /** @type {const} */ ([String(cost), '7.1']);
   /** @type {[string, string, RegExp][]} */
   const rows = [
     ['cut', link.slice(0, -3), /cut or changed/],
@@ -121,11 +125,12 @@ test('what is cut, forged, of another exercise, of another version, too long, or
     ],
     ['cut within the gains', link.slice(0, link.indexOf('3.3,') + 6), /cannot be read: .*gains was left out/],
     ['gains changed', link.replace('3.3,', '3.4,'), /cut or changed/],
-    ['J forged', await forge(String(cost), '7.1'), /says J = 7\.1/],
-    ['gains forged', await forge('3.3,', '3.4,'), /says J = 7\.71/],
+    ['J forged', forge(otherJ), /says J = 7\.1/],
+    ['gains forged', forge(['3.3,', '3.4,']), /says J = 7\.71/],
     ['another exercise', other.link, /differs from the exercise in goal\.x, aim/],
     ['another version', `${link.replace('v=1', 'v=2')}`, /cannot be read: .*version 2/],
-    ['another program', await forge('~0.1.0~', '~9.9.9~').then((one) => one.replace('3.3,', '3.3,')), /^$/],
+    ['another program', forge(byOther), /^$/],
+    ['another program, and J', forge(byOther, otherJ), /^made by another version of the program$/],
     ['too heavy', `lab&v=1&generation=100000&population=2000&task=x`, /too long to compute/],
     ['prose', 'I could not do it, sorry.', /no hand-in in it: “I could not do it, sorry\.”/],
     ['markup', '<img src=x onerror="alert(1)"><script>alert(1)</script>', /no hand-in in it/],
@@ -211,7 +216,6 @@ test('a class is checked at once: twins are named, variants drawn, evolved gains
   assert.doesNotMatch(remarksOf(rows[1], rows).join(), /same/);
   assert.match(remarksOf(rows[0], rows).join(), /same answer as 3 s3/);
   assert.deepEqual(ordered(rows, { column: 'cost', isDown: true }), [1, 0, 2]);
-
   // Of many three are named, and what one answer has is made once.
   const { rows: equal } = await checkAll(Array.from({ length: 5 }, () => texts[0].text).join('\n\n'));
   assert.equal(new Set(equal.map(({ same }) => same)).size, 1);
@@ -221,7 +225,6 @@ test('a class is checked at once: twins are named, variants drawn, evolved gains
     [4, '1 s1, 2 s1, 3 s1'],
   ])
     assert.deepEqual(remarksOf(equal[Number(row)], equal), [`same answer as ${twins} and 1 more`]);
-
   const vary = `${exercise}&vary=goal,seed`;
   const mine = await handedIn('s1', good, vary);
   const copied = mine.link.replace('who=s1', 'who=s2');

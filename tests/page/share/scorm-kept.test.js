@@ -174,7 +174,12 @@ test('a platform need not take the bounds of the score, but the score', () => {
   assert.deepEqual([bounds.score(), bounds.status(), bounds.told()], ['80', 'passed', words.sentences.kept]);
   const score = launch({}, undefined, link, /score\.raw$/);
   score.handIn(receipt);
-  assert.equal(score.told(), words.sentences.refused.replace('…', '401'));
+  const refused = words.sentences.refused.replace('…', '401 Not implemented');
+  assert.equal(score.told(), refused);
+  const all = launch({}, undefined, link, /./);
+  assert.equal(all.told(), refused);
+  all.handIn(receipt);
+  assert.equal(all.told(), refused);
 });
 
 test('where a receipt has no room the student is told, the result stays, and the work goes on being kept', () => {
@@ -221,5 +226,6 @@ test('the platform is found around the package, and in the window that opened it
     (API) => ({ parent: {}, top: { opener: { API } } }),
   ]))
     assert.equal(launch({}, windows).told(), '', String(windows));
-  assert.equal(launch({}, () => ({})).told(), words.sentences.nobody);
+  const alone = launch({}, () => ({}));
+  assert.deepEqual([alone.told(), alone.opened()], [words.sentences.nobody, link]);
 });

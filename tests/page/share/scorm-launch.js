@@ -76,7 +76,7 @@ export function launch(values, windows = (api) => ({ API: api }), exercise = lin
     LMSCommit: turn('LMSCommit', true),
     LMSFinish: turn('LMSFinish', false),
     LMSGetLastError: () => code,
-    LMSGetErrorString: () => '',
+    LMSGetErrorString: () => 'Not implemented',
   };
   const clock = createClock();
   /** @type {string[]} */

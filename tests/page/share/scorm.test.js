@@ -50,8 +50,6 @@ const again = (/** @type {string} */ kept) =>
   `window.API = new Scorm12API({ logLevel: 5 }); API.loadFromJSON(${JSON.stringify({ core: { student_id: 's4711', student_name: 'Kim, Student' }, suspend_data: kept })}, 'cmi');
   API.on('LMSSetValue.cmi.core.session_time', (name, time) => { document.documentElement.dataset.time = time; });
   API.on('LMSFinish', () => { document.documentElement.dataset.over = 'true'; });`;
-const refusing = `window.API = { LMSInitialize: () => 'true', LMSGetValue: () => '', LMSSetValue: () => 'false', LMSCommit: () => 'false',
-  LMSFinish: () => 'false', LMSGetLastError: () => '101', LMSGetErrorString: () => 'General exception' };`;
 
 /** In the figure of the package. @template T @param {Page} page @param {() => Promise<T>} body */
 async function inFigure(page, body) {
@@ -211,23 +209,6 @@ engineTest(
         assert.ok((await page.text('.work-said')).includes(String(cost)));
       });
       assert.equal(await told(page), '');
-    });
-
-    await onPlatform(page, platform(folder, refusing), async () => {
-      await inFigure(page, async () => {
-        await solve(page);
-        await page.click('#hand-in');
-        await page.until('it asks who', () => document.getElementById('handin-who'));
-        await page.focus('#handin-who');
-        await page.press(...'Kim', Key.ENTER);
-        await page.until('the receipt can be copied', () => document.getElementById('handin-copy'));
-      });
-      assert.equal(await told(page), words.sentences.refused.replace('…', '101 General exception'));
-    });
-
-    await onPlatform(page, platform(folder, ''), async () => {
-      await inFigure(page, () => page.until('its work is there', () => document.getElementById('hand-in')));
-      assert.equal(await told(page), words.sentences.nobody);
     });
   },
 );
