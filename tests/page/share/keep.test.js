@@ -101,7 +101,7 @@ pageTest(
 );
 
 pageTest('a long run is opened at the generation that was shown when it was saved', async (page) => {
-  const many = { ...velocityLimits, evolution: { ...velocityLimits.evolution, population: 1000 } };
+  const many = { ...velocityLimits, evolution: { ...velocityLimits.evolution, population: 300 } };
   const { engine, state } = evolved(many, 150);
   const text = runFile({ ...state, generation: 60 }, engine, links);
   await page.click('#keep-button');
