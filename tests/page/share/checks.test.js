@@ -91,52 +91,8 @@ async function tabTo(page, id) {
   assert.fail(`Tab does not reach #${id}`);
 }
 
-engineTest(
-  'the keyboard alone starts the checks from the sheet of keys, and all of them pass',
-  async (page) => {
-    await page.focus('#keys-button');
-    await page.press(Key.ENTER);
-    await tabTo(page, 'keys-checks');
-    await page.press(Key.ENTER);
-    await checked(page);
-    assertAllPassed(await seen(page));
-    await tabTo(page, 'checks-list');
-    await page.press(Key.END);
-    await page.until('the last check is in sight', () => {
-      const list = /** @type {HTMLElement} */ (document.getElementById('checks-list'));
-      return list.scrollTop + list.clientHeight > list.scrollHeight - 2;
-    });
-    await page.press(Key.ESCAPE);
-    await page.until('the sheet is closed', () => document.querySelector('dialog[open]') === null);
-    assert.equal(await page.evaluate(() => document.activeElement?.id), 'keys-button');
-    assert.deepEqual(await page.problems(), []);
-  },
-);
-
-pageTest('so does a press in the sheet that shares a run, and nobody meets an obstacle', async (page) => {
-  await page.click('#one-generation');
-  await page.click('#keep-button');
-  await page.click('#keep-checks');
-  await checked(page);
-  assertAllPassed(await seen(page));
-  assert.deepEqual(await page.obstacles(), []);
-  await page.click('#checks-close');
-  assert.equal(await page.text('#generation'), '1');
-});
-
-pageTest('a sheet that is closed and opened again while it checks comes to its end', async (page) => {
-  await page.evaluate(() => {
-    for (const id of ['keys-button', 'keys-checks', 'checks-close', 'keys-button', 'keys-checks'])
-      document.getElementById(id)?.click();
-  });
-  await checked(page);
-  assertAllPassed(await seen(page));
-});
-
-engineTest('the checks are copied as text; where no page may copy, the text is selected', async (page) => {
-  await page.click('#keys-button');
-  await page.click('#keys-checks');
-  await checked(page);
+/** @param {Page} page */
+async function assertCopied(page) {
   const { summary, rows } = await seen(page);
   const copied = await page.evaluate(async () => {
     /** @type {string[]} */
@@ -164,6 +120,40 @@ engineTest('the checks are copied as text; where no page may copy, the text is s
     return text instanceof HTMLTextAreaElement && text.value.slice(text.selectionStart, text.selectionEnd);
   });
   assert.deepEqual(await page.obstacles(), []);
+}
+
+engineTest(
+  'the keyboard alone starts the checks from the sheet of keys, all of them pass, and are copied as text; where no page may copy, the text is selected',
+  async (page) => {
+    await page.click('#one-generation');
+    await page.focus('#keys-button');
+    await page.press(Key.ENTER);
+    await tabTo(page, 'keys-checks');
+    await page.press(Key.ENTER);
+    await checked(page);
+    assertAllPassed(await seen(page));
+    await tabTo(page, 'checks-list');
+    await page.press(Key.END);
+    await page.until('the last check is in sight', () => {
+      const list = /** @type {HTMLElement} */ (document.getElementById('checks-list'));
+      return list.scrollTop + list.clientHeight > list.scrollHeight - 2;
+    });
+    await assertCopied(page);
+    await page.press(Key.ESCAPE);
+    await page.until('the sheet is closed', () => document.querySelector('dialog[open]') === null);
+    assert.equal(await page.evaluate(() => document.activeElement?.id), 'keys-button');
+    assert.equal(await page.text('#generation'), '1');
+    assert.deepEqual(await page.problems(), []);
+  },
+);
+
+pageTest('a sheet that is closed and opened again while it checks comes to its end', async (page) => {
+  await page.evaluate(() => {
+    for (const id of ['keys-button', 'keys-checks', 'checks-close', 'keys-button', 'keys-checks'])
+      document.getElementById(id)?.click();
+  });
+  await checked(page);
+  assertAllPassed(await seen(page));
 });
 
 pageTest('where no worker starts, the sheet says that the checks could not be finished', async (page) => {
