@@ -30,6 +30,8 @@ test('what was made to hold the page is a row as others are', async () => {
     [`${mark}\n${full('handin=~')}\n${link}`, [link]],
     [`${mark}<p>${link} lab&v=1 <a ${full("href='x' ")}`, [link]],
     [`${full(', ')}x ${site}#${link}`, [link]],
+    // Of these numbers no letter has one.
+    [`&#9999999;&#xffffff;&#0; ${link}`, [link]],
     // Nor is it a thing of an engine's stack.
     [`${site}#lab&v=1&seed=${full('!')}a`, [null]],
     [`${site}#lab&v=1&seed=7${full('!')}`, ['lab&v=1&seed=7']],
