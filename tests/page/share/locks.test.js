@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { linkOfStep, stepNamed } from '../../../www/lesson/path.js';
 import { pageTest } from '../harness/browsers.js';
 import { read, waysOf } from '../harness/reading.js';
+import { follow } from '../whole/surround.js';
 
 pageTest('a locked clock stands still, also for who moves over the curves', async (page) => {
   for (const view of ['time', 'stability'])
@@ -92,7 +93,7 @@ pageTest('the table of Training holds to what is locked', async (page) => {
 });
 
 /** A step of the lesson with more keys. @param {string} name @param {string} more */
-const stepWith = (name, more) => `#${linkOfStep(stepNamed(name).number)}&${more}&task=Stay`;
+const stepWith = (name, more) => `${linkOfStep(stepNamed(name).number)}&${more}&task=Stay`;
 
 pageTest('what drives from the lesson’s own views is locked with what it does', async (page) => {
   const entrants = ['ep', 'arbitrary', 'gentle', 'hand'];
@@ -110,11 +111,12 @@ pageTest('what drives from the lesson’s own views is locked with what it does'
     ['lock=drives', [locked, locked, locked, locked]],
     ['hide=drives', [locked, locked, locked, locked]],
   ])) {
-    await page.open(stepWith('cost', more));
+    await follow(page, stepWith('cost', more));
     await page.until('the drives stand there', () => document.querySelector('.standing-name'));
     assert.deepEqual(await waysOf(page, ...names), expected, more);
     // A press does what it looks like.
     const before = await driving();
+    assert.equal(before[0], 'false', more);
     await page.click(names[0]);
     if (expected[0] === free)
       await page.until(
@@ -131,7 +133,7 @@ pageTest('what drives from the lesson’s own views is locked with what it does'
     ['lock=clock', locked],
     ['hide=clock', 'hidden'],
   ]) {
-    await page.open(stepWith('disturbance', more));
+    await follow(page, stepWith('disturbance', more));
     await page.until('the goal is there', () => document.querySelector('#near-goal svg'));
     assert.deepEqual(await waysOf(page, again), [expected], more);
   }
@@ -168,17 +170,13 @@ pageTest('what stays of a hidden group is locked', async (page) => {
 pageTest(
   'a lock holds where a view frees its control as the locks change, and ends as the view has it',
   async (page) => {
-    const follow = (/** @type {string} */ link) =>
-      page.evaluate((hash) => {
-        location.hash = hash;
-      }, link);
     await page.open('#park&v=1&lock=run&task=Stay');
     assert.deepEqual(await waysOf(page, '#park-evolve'), ['locked']);
     // Whose sliders are locked may press it at once.
-    await follow('park&v=1&lock=gains,run&task=Stay');
+    await follow(page, 'park&v=1&lock=gains,run&task=Stay');
     await page.until('the sliders are locked', () => document.querySelector('#park-gains[data-locked]'));
     assert.deepEqual(await waysOf(page, '#park-evolve'), ['locked']);
-    await follow('park&v=1&lock=gains&task=Stay');
+    await follow(page, 'park&v=1&lock=gains&task=Stay');
     await page.until('it is free', () => !document.querySelector('#park-evolve[data-locked]'));
     assert.deepEqual(await waysOf(page, '#park-evolve'), ['free']);
 
@@ -189,7 +187,7 @@ pageTest(
       for (const isDisabled of [false, true, false]) button.disabled = isDisabled;
     });
     assert.deepEqual(await waysOf(page, '#keep-button'), ['locked']);
-    await follow('lab&v=1&task=Stay');
+    await follow(page, 'lab&v=1&task=Stay');
     await page.until('it is free', () => !document.querySelector('#keep-button[data-locked]'));
     assert.deepEqual(await waysOf(page, '#keep-button'), ['free']);
   },
