@@ -146,7 +146,11 @@ test('by whose exercise a class is judged: each counts once, what was cut does n
   // What only stands before each is nobody's name.
   const listed = [kim, lee, eves[0]].map(({ link }) => `Answer: ${site}#${link}`);
   assert.equal((await check({ 'list.txt': listed.join('\n') })).given?.link, own?.link);
-  // Nor what else stands in a row.
+  // There each counts once by what it says itself.
+  const again = await Promise.all([1, 2, 3].map((i) => handedIn('eve', [i, 0, 1], easy)));
+  const thrice = [kim, lee, ...again].map(({ link }) => `${site}#${link}`);
+  assert.equal((await check({ 'list.txt': thrice.join('\n') })).given?.link, own?.link);
+  // What else stands in a row is no name either.
   const table = ['Section,Link', ...[kim, lee, eves[0]].map(({ link }) => `A,"${site}#${link}"`)];
   assert.equal((await check({ 'list.csv': table.join('\n') })).given?.link, own?.link);
   const many = Object.fromEntries(cut.map((text, i) => [`${'abc'[i]}eve_${i}_7_x.txt`, text]));

@@ -153,4 +153,6 @@ test('what is too large for a run is not read', async () => {
   const text = async () => assert.fail('it was read');
   await assert.rejects(textOfRun({ size: 150_000_001, text }), { message: /too large/ });
   assert.equal(await textOfRun(new Blob(['실험'])), '실험');
+  const { engine } = evolved(velocityLimits, 0);
+  await assert.rejects(openRunFile(' '.repeat(50_000_001), engine, links), { message: /too large/ });
 });
