@@ -1,13 +1,12 @@
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
-/** At each of these sizes: makes every text on the page 40 % longer, and says what then finds no place. @param {Page} page @param {string} where */
+/** At each of these sizes, of which the last is a wide one: makes every text on the page 40 % longer, says what then finds no place, and takes it back. @param {Page} page @param {string} where */
 export const overflowing = (page, where) =>
   page.evaluate(
     async (place, sizes) => {
       for (const details of document.querySelectorAll('details')) details.open = true;
-      /** What is longer already, and what it then says. */
-      const own = /** @type {{ longer?: WeakMap<Node, string | null> }} */ (/** @type {unknown} */ (window));
-      own.longer ??= new WeakMap();
+      /** What is longer, what it then says, and what it said. @type {Map<Node, { longer: string, own: string | null }>} */
+      const texts = new Map();
       /** @type {string[]} */
       const problems = [];
       // Beginning with the size that it has.
@@ -16,7 +15,7 @@ export const overflowing = (page, where) =>
         Object.assign(/** @type {object} */ (frameElement), { width, height });
         // The page learns its size, then draws for it.
         await pageFrames.settled();
-        lengthen(own.longer);
+        lengthen();
         // Pictures follow the new size within some frames.
         let found = [...whatHasNoPlace(width)];
         for (let i = 0; i < 30 && found.length > 0; i += 1) {
@@ -25,19 +24,21 @@ export const overflowing = (page, where) =>
         }
         for (const problem of found) problems.push(`${place} at ${width} × ${height}: ${problem}`);
       }
+      for (const [node, { longer, own }] of texts) if (node.nodeValue === longer) node.nodeValue = own;
       return problems;
 
-      /** @param {WeakMap<Node, string | null>} longer */
-      function lengthen(longer) {
+      function lengthen() {
         const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
         while (walker.nextNode()) {
           const node = walker.currentNode;
-          if (longer.get(node) === node.nodeValue) continue;
-          const text = (node.nodeValue ?? '').trim();
+          const { nodeValue: own } = node;
+          if (texts.get(node)?.longer === own) continue;
+          const text = (own ?? '').trim();
           // Korean has words of two letters.
           if (!/\p{L}{3}|\p{Script=Hangul}{2}/u.test(text)) continue;
-          node.nodeValue = `${text}${text.slice(0, Math.ceil(0.4 * text.length))}`;
-          longer.set(node, node.nodeValue);
+          const longer = `${text}${text.slice(0, Math.ceil(0.4 * text.length))}`;
+          node.nodeValue = longer;
+          texts.set(node, { longer, own });
         }
       }
 
@@ -76,7 +77,7 @@ export const overflowing = (page, where) =>
     where,
     /** @type {const} */ ([
       [1440, 900],
-      [1024, 768],
       [390, 844],
+      [1024, 768],
     ]),
   );
