@@ -108,7 +108,8 @@ test('of the other parts only crossover helps; a child against its own parent is
 });
 
 test('with a floor far fewer runs are lost, and none gets far below its target', async () => {
-  const lines = await ran(tryOf('contest', 'floor'));
+  // The other of its rivals is not spoken of.
+  const lines = await ran(tryOf('contest', 'floor').replace(',fixed', ''));
   const [own, floor] = lines();
   assert.ok(floor.reached > own.reached + 10);
   const [ownLower, floorLower] = lines({ target: 7.706 });
@@ -129,67 +130,57 @@ test('a hand with sliders that end at 0 wins two pairs of three and fails more o
   assert.ok(simplex.ert > own.ert && sideOf(simplex) < 0);
 });
 
-pageTest('what is predicted runs in sight, and is answered from what stands there', async (page) => {
-  await page.open('#lesson&step=contest');
-  await page.click('#quiz-tournament .choice:first-child');
-  const why = await page.until(
-    'the answer',
-    () => document.querySelector('#quiz-tournament .quiz-why strong')?.parentElement?.innerText,
-  );
-  assert.match(String(why), /cannot tell the two apart/);
-  const cells = await page.evaluate(() =>
-    [...document.querySelectorAll('#contest-table tbody')].map((row) => row.querySelector('td')?.textContent),
-  );
-  assert.ok(cells.length === 2 && cells.every((cell) => String(why).includes(String(cell))), cells.join());
-  assert.deepEqual(await page.problems(), []);
-});
-
-pageTest('the names at the curves of a contest stand there whole', async (page) => {
-  await page.resize(1280, 800);
-  await page.open('#lesson&step=contest');
-  await page.evaluate(() => {
-    const write = CanvasRenderingContext2D.prototype.fillText;
-    /** @type {Map<string, number>} */
-    const over = new Map();
-    Object.assign(window, { over });
-    CanvasRenderingContext2D.prototype.fillText = function (text, x, y) {
-      const { width } = this.canvas.getBoundingClientRect();
-      over.set(text, x + this.measureText(text).width - width);
-      write.call(this, text, x, y);
-    };
-  });
-  await page.click('.try[data-try="remedies"]');
-  const over = await page.until('all four names', () => {
-    const now = /** @type {any} */ (window).over;
-    const names = [...document.querySelectorAll('#contest-table [scope="row"]')].map(
-      ({ textContent }) => textContent?.trim() ?? '',
+pageTest(
+  'what is predicted runs in sight, and is answered from what stands there; what is tried then runs at once, with whole names at its curves',
+  async (page) => {
+    await page.resize(1280, 800);
+    await page.open('#lesson&step=contest');
+    await page.click('#quiz-tournament .choice:first-child');
+    const why = await page.until(
+      'the answer',
+      () => document.querySelector('#quiz-tournament .quiz-why strong')?.parentElement?.innerText,
     );
-    return names.length === 4 && names.every((name) => now.has(name)) && names.map((name) => now.get(name));
-  });
-  for (const one of over) assert.ok(one <= 0, `${over}`);
-});
+    assert.match(String(why), /cannot tell the two apart/);
+    const cells = await page.evaluate(() =>
+      [...document.querySelectorAll('#contest-table tbody')].map(
+        (row) => row.querySelector('td')?.textContent ?? '',
+      ),
+    );
+    assert.equal(cells.length, 2);
+    for (const cell of cells) assert.ok(/\d/.test(cell) && String(why).includes(cell), cells.join());
 
-pageTest('what is tried runs at once, whatever ran before', async (page) => {
-  await page.open('#lesson&step=contest');
-  for (const [name, entered] of /** @type {const} */ ([
-    ['robots', 'lab,n-6,n-100'],
-    ['remedies', 'lab,cma-es-7,cma-es-7-mirror,cma-es'],
-  ])) {
-    await page.click(`.try[data-try="${name}"]`);
-    await page.until(
-      `${name} has run`,
-      (wanted) =>
+    await page.evaluate(() => {
+      const write = CanvasRenderingContext2D.prototype.fillText;
+      /** @type {Map<string, number>} */
+      const over = new Map();
+      Object.assign(window, { over });
+      CanvasRenderingContext2D.prototype.fillText = function (text, x, y) {
+        const { width } = this.canvas.getBoundingClientRect();
+        over.set(text, x + this.measureText(text).width - width);
+        write.call(this, text, x, y);
+      };
+    });
+    await page.click('.try[data-try="remedies"]');
+    const names = await page.until('it has run', () => {
+      const rows = [
+        .../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('#contest-table tbody')),
+      ];
+      return (
         document.getElementById('contest-csv')?.hidden === false &&
-        [...document.querySelectorAll('#contest-table tbody')]
-          .map((row) => /** @type {HTMLElement} */ (row).dataset.contestant)
-          .join() === wanted,
-      entered,
-    );
+        rows.map(({ dataset }) => dataset.contestant).join() === 'lab,cma-es-7,cma-es-7-mirror,cma-es' &&
+        rows.map((row) => row.querySelector('[scope="row"]')?.textContent?.trim() ?? '')
+      );
+    });
     assert.equal(await page.text('#contest-status'), '');
-  }
-  assert.match(
-    await page.evaluate(() => location.hash),
-    /contestants=cma-es-7,cma-es-7-mirror,cma-es.*lesson=contest/,
-  );
-  assert.deepEqual(await page.problems(), []);
-});
+    assert.match(
+      await page.evaluate(() => location.hash),
+      /contestants=cma-es-7,cma-es-7-mirror,cma-es.*lesson=contest/,
+    );
+    const over = await page.evaluate(
+      (all) => all.map((name) => /** @type {any} */ (window).over.get(name)),
+      names,
+    );
+    for (const one of over) assert.ok(one <= 0, `${over}`);
+    assert.deepEqual(await page.problems(), []);
+  },
+);
