@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { demonstration, exam, lab } from '../../../www/lesson/steps/lecturers.js';
+import { hrefOf, stepNames } from '../../../www/lesson/path.js';
 import { createSets, setNames } from '../../../www/parts/training/sets.js';
 import { seedCount } from '../../../www/parts/training/spread.js';
 import * as en from '../../../www/lesson/words/en.js';
@@ -191,9 +192,22 @@ test('lab: bold gains with slow wheels arrive much later', () => {
 });
 
 pageTest(
-  'where a class is to move sliders they are there, where it is to watch evolution its curve',
+  'the sheets have their links; where a class is to move sliders they are there, where it is to watch evolution its curve',
   async (page) => {
     await page.open('#lesson&step=lecturers');
+    const hrefs = await page.evaluate(() =>
+      [.../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('.sheet-link'))].map((one) => [
+        one.dataset.try,
+        one.getAttribute('href'),
+      ]),
+    );
+    const number = stepNames.indexOf('lecturers') + 1;
+    assert.deepEqual(
+      hrefs.filter(([item]) => !item?.startsWith('plan-')),
+      Object.entries({ demonstration, lab }).flatMap(([sheet, { items }]) =>
+        items.map(([item, link]) => [`${sheet}-${item}`, hrefOf(String(link), number)]),
+      ),
+    );
     for (const [item, hasSliders] of /** @type {const} */ ([
       ['demonstration-park', true],
       ['demonstration-random', false],
@@ -213,7 +227,6 @@ pageTest(
     }
     // On a telephone they are the sight over the words.
     await page.resize(400, 800);
-    await page.open('#lesson&step=lecturers');
     for (const [item, chosen] of [
       ['demonstration-park', 'gains'],
       ['demonstration-random', 'part'],
@@ -223,18 +236,3 @@ pageTest(
     }
   },
 );
-
-pageTest('the links of a lecturer’s sheets set up what they say', async (page) => {
-  await page.open('#lesson&step=14');
-  for (const [sheet, { items }] of Object.entries({ demonstration, lab }))
-    for (const [item, link] of items) {
-      const [part] = String(link).split('&');
-      await page.click(`[data-try="${sheet}-${item}"]`);
-      await page.until(
-        `${sheet} ${item}`,
-        (wanted) => document.body.dataset.open === wanted && location.hash.startsWith(`#${wanted}&`),
-        part,
-      );
-    }
-  assert.deepEqual(await page.problems(), []);
-});
