@@ -123,12 +123,12 @@ pageTest('drives that take long stand in the table once they are there', async (
 });
 
 pageTest('what the dots and the pale lines mean stands over the four drives', async (page) => {
+  await page.open('#lesson&step=6');
   for (const [width, height, hasGains] of /** @type {const} */ ([
     [1280, 800, true],
     [390, 844, false],
   ])) {
     await page.resize(width, height);
-    await page.open('#lesson&step=6');
     const [isSaid, isGiven] = await page.until('the four drives', () => {
       const [caption, gains] = ['caption', '.standing-head .muted'].map((one) =>
         document.querySelector(`#standings ${one}`),

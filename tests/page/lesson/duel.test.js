@@ -129,17 +129,8 @@ test('what one can beat is beaten by 5, 5, 5 last', () => {
 /** Drives by hand: so many steps of a slider, each drawn. @param {Page} page @param {string} gain @param {number} steps */
 async function drive(page, gain, steps) {
   await page.focus(`#slider-${gain}`);
-  for (let i = 0; i < steps; i++) {
-    await page.press(Key.ARROW_RIGHT);
-    await drawn(page);
-  }
+  for (let i = 0; i < steps; i++) await page.press(Key.ARROW_RIGHT);
 }
-
-/** @param {Page} page */
-const drawn = (page) =>
-  page.evaluate(async () => {
-    for (let i = 0; i < 2; i++) await new Promise((resolve) => requestAnimationFrame(resolve));
-  });
 
 /** The table, row by row, best first. @param {Page} page */
 const table = (page) =>
@@ -252,7 +243,6 @@ pageTest('a drag is one trial, however far it goes', async (page) => {
     Array.from({ length: 8 }, (_, i) => ({ x: 100 + 20 * i, y: 12 })),
     120,
   );
-  await drawn(page);
   const ky = Number(
     await page.evaluate(() => /** @type {HTMLInputElement} */ (document.getElementById('slider-ky')).value),
   );
@@ -291,7 +281,6 @@ pageTest('answers, trials and a locked duel outlast a reload of the tab', async 
   );
   assert.equal(await textOf(page, 'duel-beaten'), '', 'J of one task compares with none of another');
   await page.click('#duel-new');
-  await drawn(page);
   assert.ok(!(await page.evaluate(() => document.getElementById('duel-table')?.checkVisibility())));
   assert.equal(await textOf(page, 'duel-drives'), '0');
 });

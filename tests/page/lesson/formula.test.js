@@ -4,6 +4,7 @@ import { lawFormula, rateFormula, robustFormula } from '../../../www/lesson/form
 import { stability } from '../../../www/lesson/words/en/stability.js';
 import { engineTest, Key, pageTest } from '../harness/browsers.js';
 import { test } from '../harness/once.js';
+import { follow } from '../whole/surround.js';
 import { liveOf } from './live.js';
 
 test('another rule has no numbers in the formulas of law (5), and no disturbance has the bound 0', () => {
@@ -30,12 +31,13 @@ const steps = ['error', 'law', 'stability', 'cost', 'generation', 'sigma', 'dist
 
 pageTest('with numbers every product has its sign, and what is below zero its brackets', async (page) => {
   let below = 0;
+  await page.open('#lesson');
   for (const step of steps) {
-    await page.open(`#lesson&step=${step}`);
+    await follow(page, `lesson&step=${step}`);
     const { lines, unsigned } = await page.evaluate(async () => {
       for (const button of document.querySelectorAll('.formula-button'))
         button.dispatchEvent(new Event('click'));
-      for (let i = 0; i < 2; i++) await new Promise((resolve) => requestAnimationFrame(resolve));
+      await pageFrames.settled();
       const isSign = (/** @type {Element} */ one) => one.localName === 'mo' && one.textContent !== '(';
       const unsigned = [...document.querySelectorAll('.formula-now mrow > * + *')].filter((one) =>
         [one, one.previousElementSibling].every((of) => of && !isSign(of) && of.textContent !== '('),
@@ -210,17 +212,32 @@ engineTest(
   },
 );
 
-pageTest('each symbol of the error posture that is pointed at lights up in the picture too', async (page) => {
-  await page.open('#lesson&step=error');
-  for (const name of ['xe', 'ye', 'te', 'xr', 'yr', 'tr', 'xc', 'yc', 'tc']) {
-    const seen = await page.evaluate((term) => {
-      const symbol = document.querySelector(`.formula [data-term="${term}"]`);
-      symbol?.dispatchEvent(new PointerEvent('pointerover', { bubbles: true }));
-      const lit = [...document.querySelectorAll('#error-posture .lit[data-term]')];
-      return lit
-        .filter((one) => one.querySelector('path')?.checkVisibility({ visibilityProperty: true }))
-        .map((one) => one.getAttribute('data-term'));
-    }, name);
-    assert.deepEqual(seen, [name]);
-  }
-});
+pageTest(
+  'each symbol of the error posture that is pointed at lights up in formula and picture',
+  async (page) => {
+    await page.open('#lesson&step=error');
+    for (const name of ['xe', 'te', 'xr', 'yr', 'tr', 'xc', 'yc', 'tc', 'ye']) {
+      const seen = await page.evaluate((term) => {
+        const symbol = document.querySelector(`.formula [data-term="${term}"]`);
+        symbol?.dispatchEvent(new PointerEvent('pointerover', { bubbles: true }));
+        const lit = [...document.querySelectorAll('#error-posture .lit[data-term]')];
+        return lit
+          .filter((one) => one.querySelector('path')?.checkVisibility({ visibilityProperty: true }))
+          .map((one) => one.getAttribute('data-term'));
+      }, name);
+      assert.deepEqual(seen, [name]);
+    }
+    /** How many are lit in the formula and in the picture. @param {string} [pointerType] What leaves the page before. */
+    const lit = (pointerType = '') =>
+      page.evaluate((type) => {
+        if (type) document.dispatchEvent(new PointerEvent('pointerleave', { pointerType: type }));
+        return ['#lesson .formula', '#error-posture'].map(
+          (one) => document.querySelectorAll(`${one} .lit`).length,
+        );
+      }, pointerType);
+    const now = await lit();
+    assert.ok(now[0] >= 1 && now[1] >= 2, `${now}`);
+    assert.deepEqual(await lit('touch'), now, 'a finger that was lifted leaves it lit');
+    assert.deepEqual(await lit('mouse'), [0, 0]);
+  },
+);

@@ -178,14 +178,15 @@ pageTest('the text has the numbers of the map, and follows the population', asyn
 });
 
 pageTest('on a telephone J of the robot that is pressed on the map is read in sight of it', async (page) => {
+  await page.resize(390, 844);
+  await page.open('#lesson&step=landscape');
+  await page.until('the map is there', () => document.getElementById('landscape-lowest')?.textContent);
   for (const [width, height] of [
     [390, 844],
     [375, 667],
     [600, 900],
   ]) {
     await page.resize(width, height);
-    await page.open('#lesson&step=landscape');
-    await page.until('the map is there', () => document.getElementById('landscape-lowest')?.textContent);
     await page.click('#landscape-map');
     await page.until('what is pressed is driven', () => location.hash.includes('drives=hand'));
     const [map, readout, pane] = await page.evaluate(() =>

@@ -259,30 +259,3 @@ pageTest('the focus and the title of the page go with the step', async (page) =>
   await page.until('the curves are open', () => document.body.dataset.open === 'curves');
   assert.equal(await usual(), `${named.curves.name} · ${texts.pageTitle}`);
 });
-
-pageTest('a symbol that is pointed at lights up in formula and picture', async (page) => {
-  await page.open('#lesson&step=2');
-  const lit = () =>
-    page.evaluate(() => ({
-      formula: document.querySelectorAll('#lesson .formula .lit').length,
-      picture: document.querySelectorAll('#error-posture .lit').length,
-    }));
-  assert.deepEqual(await lit(), { formula: 0, picture: 0 });
-  await page.until('the formula is pointed at', () =>
-    document
-      .querySelector('#lesson .formula [data-term="ye"]')
-      ?.dispatchEvent(new PointerEvent('pointerover', { bubbles: true })),
-  );
-  await page.until('it is lit', () => document.querySelector('#lesson .formula .lit'));
-  const now = await lit();
-  assert.ok(now.formula >= 1 && now.picture >= 2, JSON.stringify(now));
-  /** @param {string} pointerType */
-  const leave = (pointerType) =>
-    page.evaluate((type) => {
-      document.dispatchEvent(new PointerEvent('pointerleave', { pointerType: type }));
-    }, pointerType);
-  await leave('touch');
-  assert.deepEqual(await lit(), now, 'a finger that was lifted leaves it lit');
-  await leave('mouse');
-  assert.deepEqual(await lit(), { formula: 0, picture: 0 });
-});

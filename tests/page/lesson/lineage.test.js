@@ -153,19 +153,14 @@ engineTest('the bells of a family end above the numbers below them', async (page
 });
 
 pageTest('the numbers below a family stand apart, also on a telephone', async (page) => {
+  await page.open('#lesson&step=8');
   for (const [width, height] of [
     [1366, 768],
     [390, 844],
   ]) {
-    await page.open('#lesson&step=8');
     await page.resize(width, height);
     for (const link of [tryOf('sigma', 'none'), tryOf('sigma', 'large'), tryOf('sigma', 'stuck')]) {
-      await page.evaluate(
-        (hash) => {
-          location.hash = `${hash}&lesson=8`;
-        },
-        link.replace('&', '&v=1&'),
-      );
+      await follow(page, `${link.replace('&', '&v=1&')}&lesson=8`);
       const { generation } = opened(link);
       const rows = await page.until(
         `the numbers of ${link}`,

@@ -5,12 +5,10 @@ import { en as english } from '../harness/words.js';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
 import { follow } from '../whole/surround.js';
 
-/** @typedef {import('../harness/browsers.js').Page} Page */
-
 /** @type {any} */
 const en = english.lesson;
 
-/** What one sees of the figure, and where it stands. @param {Page} page */
+/** What one sees of the figure, and where it stands. @param {import('../harness/browsers.js').Page} page */
 const sight = (page) =>
   page.evaluate(async () => {
     await pageFrames.settled();
@@ -32,13 +30,12 @@ pageTest('where there is no room beside the words, what they speak of stays over
   assert.deepEqual(await sight(page), { shown: ['bowl', 'sights'], isOnTop: true, share: 5 });
   for (const [name, shown] of /** @type {const} */ ([
     ['gains', ['plane', 'gains', 'sights']],
-    ['robot', ['plane', 'sights']],
     ['part', ['stability-picture', 'sights']],
+    ['robot', ['plane', 'sights']],
   ])) {
     await page.click(`#sights-${name}`);
     assert.deepEqual((await sight(page)).shown, shown, name);
   }
-  await page.click('#sights-robot');
   await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('.step-on')).click());
   await page.until(
     'the next step, with what it speaks of',
@@ -133,12 +130,13 @@ pageTest('on a telephone a generation is whole in its sight, phase by phase', as
 pageTest(
   'Run is whole in sight under the map on a telephone, and under a generation on a laptop',
   async (page) => {
+    await page.open('#lesson');
     for (const [width, height, step] of /** @type {const} */ ([
       [390, 844, 'landscape'],
       [1366, 768, 'generation'],
     ])) {
       await page.resize(width, height);
-      await page.open(`#lesson&step=${step}`);
+      await follow(page, `lesson&step=${step}`);
       const [run, edge] = await page.until('Run stands there', () => {
         const [button, figure] = ['#run', '.figure'].map((one) => document.querySelector(one));
         return button?.checkVisibility() && figure
@@ -185,6 +183,7 @@ pageTest('on a telephone each drive of a generation is as large as on a laptop',
 pageTest('on a telephone the figure turns to what a question, a try or a word opens', async (page) => {
   await page.resize(390, 844);
   const seen = () => page.evaluate(() => document.body.dataset.sight);
+  let opened = '';
   for (const [step, press, sight] of /** @type {const} */ ([
     ['generation', '#quiz-luck .choice:first-child', 'part'],
     ['generation', '.prose a[href*="mutation"]', 'part'],
@@ -197,7 +196,9 @@ pageTest('on a telephone the figure turns to what a question, a try or a word op
       (name) => /** @type {const} */ (['law', `[data-try="${name}"]`, 'robot']),
     ),
   ])) {
-    await page.open(`#lesson&step=${step}`);
+    if (step === opened) await page.click('#sights-stage');
+    else await page.open(`#lesson&step=${step}`);
+    opened = step;
     assert.equal(await seen(), 'stage', step);
     await page.evaluate((one) => /** @type {HTMLElement} */ (document.querySelector(one)).click(), press);
     assert.equal(await seen(), sight, `${step} ${press}`);
@@ -239,14 +240,13 @@ pageTest('on a telephone the bars of the law stand over what moves them', async 
         return element?.checkVisibility() && element.getBoundingClientRect().bottom <= bottom;
       });
     });
+  await page.open('#lesson&step=law');
   for (const [width, height, ...also] of /** @type {const} */ ([
     [390, 844, '#scrub'],
     [375, 667],
     [600, 900, '#plane', '#scrub'],
   ])) {
     await page.resize(width, height);
-    await page.open('#lesson&step=law');
-    await page.until('the bars', () => document.querySelector('.pushes'));
     assert.deepEqual(
       await inFigure(),
       ['#pushes tr:last-child', ...also, '#slider-kx', '#slider-ktheta'],
@@ -267,6 +267,7 @@ pageTest(
   'what the words ask for is in the sight with which a step opens, and a tab that is loaded again is where it was',
   async (page) => {
     await page.resize(600, 900);
+    await page.open('#lesson');
     const isThere = (/** @type {string} */ selector) =>
       page.evaluate((one) => {
         const element = document.querySelector(one);
@@ -281,8 +282,7 @@ pageTest(
       ['duel', '#swarm-parked', '#slider-kx'],
       ['drive', '#cost-parts', '#slider-kx'],
     ]) {
-      await page.open(`#lesson&step=${step}`);
-      await page.until('its words are there', () => document.querySelector('.lesson .prose'));
+      await follow(page, `lesson&step=${step}`);
       for (const one of wanted) assert.equal(await isThere(one), true, `${step}: ${one}`);
     }
     const top = () => page.evaluate(() => Math.round(scrollY));
