@@ -179,8 +179,12 @@ test('limits let V rise in two ways: they clip v and ω apart, and a command is 
 });
 
 test('on the goal, turned by 180°, it is a saddle: V rises sideways and falls by turning', () => {
-  const V = (/** @type {number} */ x, /** @type {number} */ y, /** @type {number} */ theta) =>
-    0.5 * x * x + 0.5 * y * y + 1 - Math.cos(theta);
+  const { experiment } = opened(stability.link);
+  const { goal } = experiment;
+  const V = (/** @type {number} */ x, /** @type {number} */ y, /** @type {number} */ theta) => {
+    const starts = [{ x: goal.x + x, y: goal.y + y, theta: goal.theta + theta }];
+    return samples({ ...experiment, starts }, [3, 1, 5])[0].lyapunov;
+  };
   for (const d of [1e-3, -1e-3]) {
     assert.ok(V(d, 0, Math.PI) > 2 && V(0, d, Math.PI) > 2);
     assert.ok(V(0, 0, Math.PI + d) < 2);

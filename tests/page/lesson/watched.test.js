@@ -12,8 +12,8 @@ const steps = [
     'task',
     [
       ['[data-try="beside"]', 'robot'],
-      ['[data-try="withKy"]', 'robot'],
       ['[data-try="training"]', 'part'],
+      ['[data-try="withKy"]', 'robot'],
     ],
   ],
 ];
