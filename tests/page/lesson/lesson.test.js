@@ -172,7 +172,7 @@ for (const [i, { name, blocks }] of steps.entries())
     await page.open(`#lesson&step=${name}`);
     await page.until('every number in the text', () =>
       [.../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('#lesson [data-value]'))].every(
-        (element) => element.textContent !== '–',
+        ({ textContent }) => !/[–…]/.test(textContent ?? ''),
       ),
     );
     const fits = await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth);
