@@ -14,6 +14,9 @@ import { follow } from '../whole/surround.js';
 /** @typedef {import('../harness/browsers.js').Page} Page */
 
 const generations = 50;
+/** Few robots, with which the rows differ as well. */
+const few = { population: 4, seed: 2 };
+const link = `training&v=1&evolve=${generations}&population=${few.population}&seed=${few.seed}`;
 
 test('the furthest row arrives from the most starts, then has the lowest J', () => {
   const of = (/** @type {[number, number][]} */ ...rows) =>
@@ -53,7 +56,8 @@ test('of an experiment with many starts nothing says that it has one', () => {
 
 /** From how many unseen starts each arrives. @param {import('../../../pkg/ep_locomotion.js').Preset} preset */
 function countsOf(preset) {
-  const from = experiment(preset);
+  const usual = experiment(preset);
+  const from = { ...usual, evolution: { ...usual.evolution, ...few } };
   const sets = createSets({ startsOnCircle })(from);
   return setNames.map((name) => {
     const evolution = new Evolution({ ...from, starts: sets[name] });
@@ -83,13 +87,14 @@ async function evolveAgain(page, note) {
 }
 
 pageTest('the row that comes furthest drives, until somebody chooses another', async (page) => {
-  await page.open(`#training&evolve=${generations}`);
+  await page.open(`#${link}`);
   const furthest = ['velocity-limits', 'acceleration-limits'].map((preset) => {
     const counts = countsOf(/** @type {any} */ (preset));
     const most = Math.max(...counts);
     return { rows: `training-${setNames[counts.indexOf(most)]}`, title: `Never seen: ${most} of 1000` };
   });
   assert.notEqual(furthest[0].rows, furthest[1].rows);
+  assert.notEqual(furthest[0].rows, 'training-grid');
   let finding = await page.text('#training-finding');
   for (const [i, preset] of ['velocity-limits', 'acceleration-limits'].entries()) {
     await page.click(`#preset-${preset}`);
@@ -98,9 +103,9 @@ pageTest('the row that comes furthest drives, until somebody chooses another', a
     assert.deepEqual(evolved, { finding, ...furthest[i] });
   }
 
-  await page.click('#training-circle .training-name');
+  await page.click('#training-grid .training-name');
   await page.click('#preset-velocity-limits');
-  assert.equal((await evolveAgain(page, finding)).rows, 'training-circle');
+  assert.equal((await evolveAgain(page, finding)).rows, 'training-grid');
   assert.deepEqual(await page.problems(), []);
 });
 
@@ -125,9 +130,8 @@ async function evolveWhile(page, act) {
 }
 
 pageTest('who comes to drive while all evolve goes on driving, but for a row of the table', async (page) => {
-  const link = 'training&v=1&evolve=50';
   await page.open(`#${link}`);
-  const other = await evolveWhile(page, () => follow(page, `${link}&seed=7`));
+  const other = await evolveWhile(page, () => follow(page, link.replace(/seed=\d/, 'seed=7')));
   assert.equal(other.driver, 'evolved');
   const linked = await evolveWhile(page, () => follow(page, `${link}&drives=hand&gains=2,3,4`));
   assert.deepEqual(linked, { driver: 'hand', gains: [2, 3, 4], rows: 'training-hand' });
@@ -153,13 +157,13 @@ pageTest('both costs stand in their columns, however many digits they have', asy
     'weights.velocity=100000,1000',
     'goal.x=-150&goal.y=-150',
     'goal.x=900&goal.y=900&lang=ko',
-  ])
+  ]) {
+    await page.open(`#training&v=1&${link}`);
+    await page.until('the paper’s gains have driven', () =>
+      /\d{4}|×/.test(document.querySelector('#training-paper-ep .training-own')?.textContent ?? ''),
+    );
     for (const width of [320, 390, 430, 1440]) {
       await page.resize(width, 844);
-      await page.open(`#training&v=1&${link}`);
-      await page.until('the paper’s gains have driven', () =>
-        /\d{4}|×/.test(document.querySelector('#training-paper-ep .training-own')?.textContent ?? ''),
-      );
       const found = await page.evaluate(() => {
         const wide = [...document.querySelectorAll('#training-table :is(thead th, td)')].filter(
           (cell) => cell.scrollWidth > cell.clientWidth,
@@ -169,4 +173,5 @@ pageTest('both costs stand in their columns, however many digits they have', asy
       });
       assert.deepEqual(found, { wide: [], beyond: 0 }, `${link}, ${width}`);
     }
+  }
 });
