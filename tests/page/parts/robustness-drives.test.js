@@ -58,7 +58,7 @@ pageTest(
     ]) {
       // None arrives from (4.00, 1.00), all from (−1.00, 1.00).
       await pointAt(page, await pointOf(page, 60, 30), start, move);
-      await marksUntil(page, `${move}: those that miss`, ({ red }) => red > 400);
+      await marksUntil(page, `${move}: those that miss`, ({ red }) => red > 200);
       await pointAt(page, await pointOf(page, 10, 10), 'pointermove', move);
       await marksUntil(
         page,

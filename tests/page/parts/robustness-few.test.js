@@ -53,7 +53,7 @@ test('whose mean it is, is said in the legend and of each place where some fail'
 pageTest(
   'places from which few arrive are hatched over their shade, and the legend says so',
   async (page) => {
-    await page.open('#robustness&drives=paper-ep&colour=time');
+    await page.open('#robustness&v=1&drives=paper-ep&horizon=4&colour=time');
     await finished(page, 'paper’s EP gains');
     // A block of 3 × 3 places is wider than a stripe is apart from the next.
     const blockOf = (/** @type {(arrivals: number) => boolean} */ isSo) => {

@@ -7,12 +7,13 @@ import { once } from '../../../www/kit/memo.js';
 /** @typedef {import('../harness/core.js').Experiment} Experiment */
 /** @typedef {'ep' | 'arbitrary'} Method */
 
-const velocityLimits = experiment('velocity-limits');
+/** Who arrives from here does so sooner, and whoever does not takes less time. */
+const brief = experiment({ horizon: 4 });
 export const [count, half, headings] = [81, 4, 18];
 
 /** The core's own answers for the starts of the map. @param {Method} method @param {Partial<Experiment>} [change] @param {number} [reach] */
 export function survey(method, change = {}, reach = half) {
-  const asked = { ...velocityLimits, ...change };
+  const asked = { ...brief, ...change };
   const range = (/** @type {number} */ middle) => ({ from: middle - reach, to: middle + reach, count });
   const preset = asked.limits.acceleration === null ? 'velocity-limits' : 'acceleration-limits';
   const runs = robustness(asked, {
@@ -28,6 +29,7 @@ export function survey(method, change = {}, reach = half) {
 }
 
 export const ep = once(() => survey('ep'));
+export const arbitrary = once(() => survey('arbitrary'));
 
 /** @param {number} column @param {number} row */
 export const cellOf = (column, row) => row * count + column;
@@ -73,7 +75,7 @@ export const compared = (page) =>
 
 /** Opens the map with the paper's gains by EP. @param {Page} page */
 export async function openMap(page) {
-  await page.open('#robustness&v=1&drives=paper-ep');
+  await page.open('#robustness&v=1&drives=paper-ep&horizon=4');
   await finished(page, 'paper’s EP gains');
 }
 
