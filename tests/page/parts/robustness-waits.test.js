@@ -52,8 +52,8 @@ pageTest('what comes of the map moves nothing of what stands there already', asy
     [390, 844],
   ])) {
     await page.resize(width, height);
-    // Coarse drives have the same places, and come sooner.
-    for (const link of ['lab&v=1&sampleTime=0.05', 'lab&v=1&sampleTime=0.05&lang=ko']) {
+    // Shorter drives have the same places, and come sooner.
+    for (const link of ['lab&v=1&horizon=4', 'lab&v=1&horizon=4&lang=ko']) {
       await page.open(`#${link}`);
       await delayWorkers(page);
       await page.click('#page-robustness');
@@ -74,7 +74,7 @@ pageTest('what comes of the map moves nothing of what stands there already', asy
 });
 
 pageTest('that the reference moves is said no more once it does not', async (page) => {
-  const still = 'robustness&v=1&sampleTime=0.05';
+  const still = 'robustness&v=1&horizon=4';
   const noted = (/** @type {string} */ what) =>
     page.until(what, (one) => document.getElementById('robustness-note')?.textContent?.includes(one), what);
   await page.open(`#${still}&referenceVelocity.linear=0.3`);
@@ -110,7 +110,7 @@ const numbersDrawn = (page) =>
 
 pageTest('each number of an axis stands at its place, the last as well', async (page) => {
   await page.resize(1440, 900);
-  await page.open('#lab&v=1&sampleTime=0.05&goal.x=2&goal.y=2');
+  await page.open('#lab&v=1&horizon=4&goal.x=2&goal.y=2');
   await page.evaluate(() => {
     /** @type {[string, number, number][]} */
     const drawn = [];
@@ -126,7 +126,7 @@ pageTest('each number of an axis stands at its place, the last as well', async (
   for (const half of ['4', '2']) {
     await page.evaluate((own) => {
       Reflect.set(Reflect.get(globalThis, 'drawn'), 'length', 0);
-      location.hash = `#robustness&v=1&sampleTime=0.05&half=${own}`;
+      location.hash = `#robustness&v=1&horizon=4&half=${own}`;
     }, half);
     const { across, up } = await numbersDrawn(page);
     for (const places of [across, up]) {
