@@ -14,6 +14,9 @@ import { trainingSlice } from '../../../www/parts/training/state.js';
 
 const velocityLimits = experiment('velocity-limits');
 const generations = 50;
+/** Fewer of them evolve in a fifth of the time, and differ more from seed to seed. */
+const few = experiment({ evolution: { ...velocityLimits.evolution, population: 4 } });
+const link = '#training&v=1&population=4';
 
 /** The starts as the page describes them, made anew. @param {Experiment} from */
 function setsOf({ starts, goal }) {
@@ -150,25 +153,36 @@ pageTest('where the paper is hidden, the page says what to press', async (page) 
   );
 });
 
-pageTest('the three evolved rows are what evolution and the core give', async (page) => {
-  await page.open('#training');
-  await evolveAll(page);
-  const sets = setsOf(velocityLimits);
-  /** @type {Record<string, ReturnType<typeof rowOf>>} */
-  const rows = {};
-  for (const name of /** @type {const} */ (['one', 'circle', 'grid'])) {
-    rows[name] = rowOf(velocityLimits, evolved(velocityLimits, sets[name]), sets[name]);
-    assert.deepEqual(await readRow(page, name), rows[name], name);
-  }
-  const finding = await text(page, 'training-finding');
-  for (const { unseen } of Object.values(rows)) assert.ok(finding.includes(unseen), `${unseen}: ${finding}`);
-  assert.deepEqual(await page.problems(), []);
-  assert.deepEqual(await page.obstacles(), []);
-});
+pageTest(
+  'the three evolved rows are what evolution and the core give, and stay after a cancel',
+  async (page) => {
+    await page.open(link);
+    await evolveAll(page);
+    const sets = setsOf(few);
+    /** @type {Record<string, ReturnType<typeof rowOf>>} */
+    const rows = {};
+    for (const name of /** @type {const} */ (['one', 'circle', 'grid'])) {
+      rows[name] = rowOf(few, evolved(few, sets[name]), sets[name]);
+      assert.deepEqual(await readRow(page, name), rows[name], name);
+    }
+    const finding = await text(page, 'training-finding');
+    for (const { unseen } of Object.values(rows))
+      assert.ok(finding.includes(unseen), `${unseen}: ${finding}`);
+    assert.deepEqual(await page.problems(), []);
+    assert.deepEqual(await page.obstacles(), []);
+    await page.evaluate(() => {
+      const button = /** @type {HTMLElement} */ (document.getElementById('training-evolve'));
+      button.click();
+      button.click();
+    });
+    await page.until('the page says so', () => document.getElementById('training-status')?.innerText);
+    assert.equal(await text(page, 'training-status'), 'Cancelled: these are the results from before.');
+    for (const name of Object.keys(rows)) assert.deepEqual(await readRow(page, name), rows[name]);
+  },
+);
 
 pageTest('fifteen seeds are a dot each, where the core says that their robots arrive', async (page) => {
-  // Fewer of them evolve in a fifth of the time, differ more from seed to seed, and are dots as well.
-  await page.open('#training&v=1&population=4');
+  await page.open(link);
   await evolveAll(page);
   await page.click('#training-seeds');
   const dots = await page.until('there are dots', () => {
@@ -186,15 +200,15 @@ pageTest('fifteen seeds are a dot each, where the core says that their robots ar
     const all = { one: of('one'), circle: of('circle'), grid: of('grid') };
     return all.grid.length > 0 && all;
   });
-  const sets = setsOf(velocityLimits);
-  const evolution = { ...velocityLimits.evolution, population: 4 };
+  const sets = setsOf(few);
+  const { evolution } = few;
   const finding = await text(page, 'training-finding');
   for (const name of /** @type {const} */ (['one', 'circle', 'grid'])) {
     assert.equal(dots[name].length, 15);
     const shares = dots[name].map(({ x, y, width, share }, i) => {
-      const experiment = { ...velocityLimits, evolution: { ...evolution, seed: evolution.seed + i } };
+      const experiment = { ...few, evolution: { ...evolution, seed: evolution.seed + i } };
       const gains = evolved(experiment, sets[name]);
-      const unseen = Number.parseFloat(rowOf(velocityLimits, gains, sets[name]).unseen);
+      const unseen = Number.parseFloat(rowOf(few, gains, sets[name]).unseen);
       const where = `${name}, seed ${evolution.seed + i}`;
       // At most two dots aside, and on no other.
       assert.ok(share >= 0 && share <= 100, where);
@@ -210,17 +224,17 @@ pageTest('fifteen seeds are a dot each, where the core says that their robots ar
 });
 
 pageTest('a row drives its gains, which counts, and a start of its picture is driven from', async (page) => {
-  await page.open('#training&v=1&task=Few.&aim=J%3C9;drives%3C%3D9');
+  await page.open(`${link}&task=Few.&aim=J%3C9;drives%3C%3D9`);
   await evolveAll(page);
-  const sets = setsOf(velocityLimits);
+  const sets = setsOf(few);
   await page.click('#training-one .training-name');
   const one = await read(page);
-  const gains = evolved(velocityLimits, sets.one);
+  const gains = evolved(few, sets.one);
   assert.deepEqual(
     one.gains,
     [...gains].map((gain) => gain.toFixed(3)),
   );
-  assert.equal(one.cost, evaluate(velocityLimits, gains)[0].toFixed(3));
+  assert.equal(one.cost, evaluate(few, gains)[0].toFixed(3));
   assert.equal(one.driver, 'hand');
   assert.equal(await page.text('#legend .solid'), 'gains from Training');
   // After those of the grid, which drove when evolution had ended.
@@ -239,31 +253,14 @@ pageTest('a row drives its gains, which counts, and a start of its picture is dr
     y: Number(second.y.toFixed(2)),
     degrees: Math.round((second.theta * 180) / Math.PI),
   });
-  const alone = { ...velocityLimits, starts: [second] };
-  assert.equal(circle.cost, evaluate(alone, evolved(velocityLimits, sets.circle))[0].toFixed(3));
-});
-
-pageTest('cancelled, the last results stay and the page says so', async (page) => {
-  await page.open('#training');
-  await evolveAll(page);
-  const before = await readRow(page, 'circle');
-  await page.evaluate(() => {
-    const select = /** @type {HTMLSelectElement} */ (document.getElementById('training-generations'));
-    select.value = '200';
-    select.dispatchEvent(new Event('change'));
-    const button = /** @type {HTMLElement} */ (document.getElementById('training-evolve'));
-    button.click();
-    button.click();
-  });
-  await page.until('the page says so', () => document.getElementById('training-status')?.innerText);
-  assert.equal(await text(page, 'training-status'), 'Cancelled: these are the results from before.');
-  assert.deepEqual(await readRow(page, 'circle'), before);
+  const alone = { ...few, starts: [second] };
+  assert.equal(circle.cost, evaluate(alone, evolved(few, sets.circle))[0].toFixed(3));
 });
 
 pageTest(
   'with another goal the evolved rows are out of date, and again up to date after undoing',
   async (page) => {
-    await page.open('#training');
+    await page.open(link);
     await evolveAll(page);
     const before = await readRow(page, 'circle');
     await page.focus('#goal-position');
@@ -273,7 +270,7 @@ pageTest(
     );
     assert.equal(await text(page, 'training-status'), 'Evolved for another goal: evolve again.');
     assert.deepEqual(await readRow(page, 'circle'), before);
-    const moved = { ...velocityLimits, goal: { ...velocityLimits.goal, y: 2.1 } };
+    const moved = { ...few, goal: { ...few.goal, y: 2.1 } };
     await page.until(
       "the paper's row is up to date",
       () => !document.querySelector('#training-paper-ep')?.classList.contains('old'),
