@@ -7,7 +7,7 @@ import { read } from '../harness/reading.js';
 
 /** @param {Page} page */
 async function openTraining(page) {
-  await page.open('#training');
+  await page.open('#training&v=1&population=4&evolve=50');
   await page.until('the paper’s gains have driven', () =>
     document.getElementById('training-unseen-title')?.textContent?.startsWith('Never seen: 250'),
   );
@@ -78,9 +78,7 @@ pageTest(
       [390, 844, 340],
     ]) {
       await page.resize(width, height);
-      const seen = await page.evaluate(async () => {
-        for (let frame = 0; frame < 3; frame++)
-          await new Promise((resolve) => requestAnimationFrame(resolve));
+      const seen = await page.evaluate(() => {
         const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById('training-unseen'));
         const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d')).getImageData(
           ...[0, 0, canvas.width, canvas.height],
@@ -109,23 +107,31 @@ pageTest(
 
 pageTest('one start alone has less room than many, until others are there to compare', async (page) => {
   await openTraining(page);
+  const heights = () =>
+    page.evaluate(() =>
+      ['seen', 'unseen'].map(
+        (name) => /** @type {HTMLElement} */ (document.getElementById(`training-${name}`)).clientHeight,
+      ),
+    );
   for (const [width, height] of [
     [1440, 900],
     [390, 844],
   ]) {
     await page.resize(width, height);
-    const heights = () =>
-      page.evaluate(async () => {
-        for (let frame = 0; frame < 3; frame++)
-          await new Promise((resolve) => requestAnimationFrame(resolve));
-        return ['seen', 'unseen'].map(
-          (name) => /** @type {HTMLElement} */ (document.getElementById(`training-${name}`)).clientHeight,
-        );
-      });
     const [one, beside] = await heights();
     await page.click('#training-circle .training-name');
     const [many, unseen] = await heights();
     assert.ok(one < 0.8 * many && beside >= unseen, `${one}, ${beside} and ${many}, ${unseen}`);
     await page.click('#training-paper-ep .training-name');
   }
+  await page.click('#training-evolve');
+  await page.until(
+    'all have evolved',
+    () => document.getElementById('training-evolve')?.textContent === 'Evolve again',
+  );
+  await page.click('#training-circle .training-name');
+  const many = await heights();
+  await page.click('#training-one .training-name');
+  assert.match(await page.text('#training-seen-title'), /^Trained on: \d of 1$/);
+  assert.deepEqual(await heights(), many);
 });
