@@ -89,11 +89,11 @@ test('what has run is told in whole seeds, also where their share is a bit less'
   }
 });
 
-/** Lets so many seeds run and holds the others. @param {Page} page @param {number} done */
+/** Lets so many seeds run and holds the others; who presses twice means once. @param {Page} page @param {number} done */
 async function runSome(page, done) {
   // And the paper's gains, which are asked for first.
   await holdWorkers(page, done + 1);
-  await page.click('#luck-run');
+  await page.doubleClick('#luck-run');
   await page.until(
     'some have run',
     (label) =>
@@ -101,6 +101,7 @@ async function runSome(page, done) {
       document.getElementById('luck-curve')?.getAttribute('aria-label')?.includes(label),
     done > 0 ? en.seedsOf(done, count) : en.emptyCurveLabel,
   );
+  assert.equal(await (await page.element('#luck-count')).isEnabled(), false);
 }
 
 /** @param {Page} page */
@@ -143,7 +144,7 @@ pageTest(
     assert.equal(whole.gains, en.gainsLabel(/** @type {any} */ ({ summary: summaryOf(runs) })));
     assert.equal(whole.circles, 3 * count + 3);
     assert.ok(whole.curve.includes(whole.finding) && whole.finding !== before.finding, whole.curve);
-    assert.deepEqual([whole.hasTable, whole.hasSeed], [true, true]);
+    assert.deepEqual([whole.hasTable, whole.hasSeed, whole.status], [true, true, '']);
 
     await runSome(page, 3);
     const again = await readSight(page);

@@ -4,7 +4,6 @@ import { seedRuns } from '../../../pkg/ep_locomotion.js';
 import { Key, pageTest } from '../harness/browsers.js';
 import { experiment, paperGains, shown, shownGains, simulate } from '../harness/core.js';
 import { read } from '../harness/reading.js';
-import { holdWorkers, releaseWorkers } from '../harness/workers.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
 /** @typedef {import('../../../pkg/ep_locomotion.js').Preset} Preset */
@@ -44,19 +43,6 @@ async function runSeeds(page) {
     await new Promise((resolve) => requestAnimationFrame(resolve));
     return document.getElementById('luck-run')?.textContent?.startsWith('Run');
   });
-}
-
-/** Runs so many seeds that there is time to cancel; who presses twice means once. @param {Page} page */
-async function cancelSeeds(page) {
-  await page.click('#luck-count option[value="500"]');
-  await page.click('#luck-generations option[value="200"]');
-  await holdWorkers(page);
-  await page.doubleClick('#luck-run');
-  await page.until('the seeds run', () => document.getElementById('luck-run')?.textContent === 'Cancel');
-  assert.equal(await (await page.element('#luck-count')).isEnabled(), false);
-  await page.click('#luck-run');
-  await page.until('no seeds run', () => document.getElementById('luck-run')?.textContent?.startsWith('Run'));
-  await releaseWorkers(page);
 }
 
 /** Costs and gains in a text. @param {string} text */
@@ -107,41 +93,8 @@ const readWords = (page) =>
     };
   });
 
-pageTest('the numbers of many seeds are those of the core, with quartiles counted by hand', async (page) => {
-  await openLuck(page);
-  assert.match(await page.text('#luck-finding'), /1\u202f020 drives each/);
-  await runSeeds(page);
-
-  const finals = quartilesByHand(runs.map(({ champion }) => champion.cost));
-  const randoms = quartilesByHand(runs.map(({ random }) => random[generations]));
-  const { finding, note, status } = await readWords(page);
-  assert.deepEqual(numbersIn(finding), [finals[2], finals[4], randoms[2]].map(shown));
-  const wins = runs.filter(({ champion, random }) => random[generations] < champion.cost).length;
-  assert.match(finding, new RegExp(`better for ${wins || 'no'} seed`));
-  const medians = Array.from(
-    { length: generations + 1 },
-    (_, g) => quartilesByHand(runs.map(({ best }) => best[g]))[2],
-  );
-  assert.match(
-    finding,
-    new RegExp(`there at generation ${medians.findIndex((one) => one <= randoms[2])}\\.`),
-  );
-  assert.match(note, new RegExp(`^${count} seeds, 2 × ${drives} drives each`.replace('1020', '1\u202f020')));
-  assert.equal(status, '');
-  assert.deepEqual(await readTable(page), expectedTable(runs));
-
-  const label = await page.evaluate(
-    () => document.getElementById('luck-curve')?.getAttribute('aria-label') ?? '',
-  );
-  const paper = simulate(experiment('velocity-limits'), paperGains('velocity-limits', 'ep')).cost.total;
-  assert.ok(label.includes(shown(paper)), label);
-  assert.deepEqual(await page.obstacles(), []);
-  assert.deepEqual(await page.problems(), []);
-});
-
-pageTest('the CSV holds every number of every seed', async (page) => {
-  await openLuck(page);
-  await runSeeds(page);
+/** That the CSV holds every number of every seed. @param {Page} page */
+async function assertCsv(page) {
   await page.click('#luck-table');
   // The browser would ask where to save it.
   await page.evaluate(() => {
@@ -183,28 +136,48 @@ pageTest('the CSV holds every number of every seed', async (page) => {
       ...random,
     ]),
   );
-});
+}
 
-pageTest('Cancel leaves the last result in sight and says so', async (page) => {
-  await openLuck(page);
-  await cancelSeeds(page);
-  assert.equal((await readWords(page)).status, 'Cancelled before any result was complete.');
+pageTest(
+  'the numbers of many seeds, and of their CSV, are those of the core, with quartiles counted by hand',
+  async (page) => {
+    await openLuck(page);
+    assert.match(await page.text('#luck-finding'), /1\u202f020 drives each/);
+    await runSeeds(page);
 
-  await page.click(`#luck-count option[value="${count}"]`);
-  await page.click(`#luck-generations option[value="${generations}"]`);
-  await runSeeds(page);
-  const { finding } = await readWords(page);
-  assert.equal((await readWords(page)).status, '');
+    const finals = quartilesByHand(runs.map(({ champion }) => champion.cost));
+    const randoms = quartilesByHand(runs.map(({ random }) => random[generations]));
+    const { finding, note, status } = await readWords(page);
+    assert.deepEqual(numbersIn(finding), [finals[2], finals[4], randoms[2]].map(shown));
+    const wins = runs.filter(({ champion, random }) => random[generations] < champion.cost).length;
+    assert.match(finding, new RegExp(`better for ${wins || 'no'} seed`));
+    const medians = Array.from(
+      { length: generations + 1 },
+      (_, g) => quartilesByHand(runs.map(({ best }) => best[g]))[2],
+    );
+    assert.match(
+      finding,
+      new RegExp(`there at generation ${medians.findIndex((one) => one <= randoms[2])}\\.`),
+    );
+    assert.match(
+      note,
+      new RegExp(`^${count} seeds, 2 × ${drives} drives each`.replace('1020', '1\u202f020')),
+    );
+    assert.equal(status, '');
+    assert.deepEqual(await readTable(page), expectedTable(runs));
 
-  await cancelSeeds(page);
-  const words = await readWords(page);
-  assert.equal(words.status, 'Cancelled. What you see is the last result that was complete.');
-  assert.equal(words.finding, finding);
-  assert.deepEqual(await readTable(page), expectedTable(runs));
-  assert.deepEqual(await page.problems(), []);
-});
+    const label = await page.evaluate(
+      () => document.getElementById('luck-curve')?.getAttribute('aria-label') ?? '',
+    );
+    const paper = simulate(experiment('velocity-limits'), paperGains('velocity-limits', 'ep')).cost.total;
+    assert.ok(label.includes(shown(paper)), label);
+    assert.deepEqual(await page.obstacles(), []);
+    assert.deepEqual(await page.problems(), []);
+    await assertCsv(page);
+  },
+);
 
-pageTest('other limits or another goal mark the seeds as out of date until they run again', async (page) => {
+pageTest('other limits mark the seeds as out of date until they run again', async (page) => {
   await openLuck(page);
   await runSeeds(page);
   const before = await readWords(page);
