@@ -147,7 +147,7 @@ pageTest(
     await toKorean(page);
     await page.setPace(8);
     await page.until('it has come to its end', () => document.getElementById('park-between'));
-    const { generation } = bred(1);
+    const { generation } = bred();
     const climb = await page.text('.park-climb figcaption');
     assert.ok(climb.startsWith(`${generation}세대의 최우수: 32대 주차`), climb);
   },

@@ -95,7 +95,7 @@ const marks = (page) =>
 pageTest('one walks from the own numbers to those of evolution, and the count follows', async (page) => {
   await page.open('#park');
   await evolved(page, 5);
-  const { generation, gains } = bred(1);
+  const { generation, gains } = bred();
   /** @type {Triple} */
   const own = [5, 5, 5];
   assert.equal(await driver(page), `best robot of generation ${generation}`);
@@ -143,7 +143,7 @@ pageTest('once evolution has gone beyond a slider that goes as far, and a hand p
     );
   assert.deepEqual(await ends(), ['12', '12', '12']);
   await evolved(page, 5);
-  const { gains } = bred(1);
+  const { gains } = bred();
   const ky = 10 * Math.ceil(gains[1] / 10);
   assert.ok(ky > 12);
   assert.deepEqual(await ends(), ['12', String(ky), '12']);

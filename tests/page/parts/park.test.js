@@ -65,7 +65,7 @@ pageTest(
     await page.click('#park-evolve');
     await page.until('evolution has come to its end', () => document.getElementById('park-lesson'));
     assert.equal(await counted(page), 32);
-    const found = bred(1);
+    const found = bred();
     const table = await page.text('.park-table');
     for (const gain of [...found.gains, 5]) assert.ok(table.includes(gain.toFixed(1)), `${gain} in ${table}`);
     assert.ok(table.includes('32 of 32') && table.includes('22 of 32'), table);
@@ -135,7 +135,7 @@ pageTest('evolution is stopped by a press, and by a hand on a slider', async (pa
     await page.until('it rests', () => document.getElementById('park-lesson'));
     const climb = await page.text('.park-climb figcaption');
     const generation = Number(/generation (\d+)/.exec(climb)?.[1]);
-    assert.ok(generation < bred(1).generation, climb);
+    assert.ok(generation < bred().generation, climb);
     assert.ok(
       (await page.text('.park-say')).startsWith(`You stopped evolution at generation ${generation}:`),
     );
@@ -203,7 +203,7 @@ pageTest('the evolution that was seen is opened in the lab, with the same best r
   await page.until('it has come to its end', () => document.getElementById('park-lab'));
   await page.click('#park-lab');
   await page.until('the lab is open', () => document.body.dataset.open === 'lab');
-  const { generation, gains, cost } = bred(1);
+  const { generation, gains, cost } = bred();
   await page.until(
     'the generation is there',
     (number) => document.getElementById('generation')?.textContent === number,
@@ -260,7 +260,7 @@ pageTest(
     await page.until(
       'the generation is there',
       (number) => document.getElementById('generation')?.textContent === number,
-      String(bred(1).generation),
+      String(bred().generation),
     );
     assert.equal((await shared(page)).ofLab, 4);
   },

@@ -7,51 +7,47 @@ import { test } from '../harness/once.js';
 import { coloured, pixelsOf, textOf } from '../harness/reading.js';
 import { comparison, ep, layoutOn, openCurves, show, toEnd, velocityLimits } from './curves-page.js';
 
-pageTest(
-  'four runs can be pinned, a fifth is refused in words, and any can be let go',
-  async (page) => {
-    await openCurves(page);
+pageTest('four runs can be pinned, a fifth is refused in words, and any can be let go', async (page) => {
+  await openCurves(page);
+  await page.click('#pin');
+  assert.match(await textOf(page, '#pin-note'), /pinned as “paper’s EP”/);
+  assert.equal(await textOf(page, '#pin'), 'Unpin this drive');
+  await page.click('#pin');
+  assert.equal(await textOf(page, '#pin'), 'Pin this drive');
+  await page.click('#page-lab');
+  await page.click('#drives-paper-ep');
+  for (const gain of ['3', '4', '5', '6', '7']) {
+    await page.focus('#gain-kx');
+    await page.press(gain, Key.ENTER);
     await page.click('#pin');
-    assert.match(await textOf(page, '#pin-note'), /pinned as “paper’s EP”/);
-    assert.equal(await textOf(page, '#pin'), 'Unpin this drive');
-    await page.click('#pin');
-    assert.equal(await textOf(page, '#pin'), 'Pin this drive');
-    await page.click('#page-lab');
-    await page.click('#drives-paper-ep');
-    for (const gain of ['3', '4', '5', '6', '7']) {
-      await page.focus('#gain-kx');
-      await page.press(gain, Key.ENTER);
-      await page.click('#pin');
-    }
-    assert.match(await textOf(page, '#pin-note'), /Four drives are pinned: unpin one first/);
-    await page.click('#page-curves');
-    const full = await comparison(page);
-    assert.deepEqual(full.names, [
-      'now: your gains',
-      'your gains 3.0, 0.1, 5.2',
-      'your gains 4.0, 0.1, 5.2',
-      'your gains 5.0, 0.1, 5.2',
-      'your gains 6.0, 0.1, 5.2',
-    ]);
-    const costs = [7, 3, 4, 5, 6].map((kx) => {
-      const [, ky, ktheta] = paperGains('velocity-limits', 'ep');
-      return shown(simulate(velocityLimits, [kx, ky, ktheta]).cost.total);
-    });
-    assert.deepEqual(full.rows.J, costs);
-    await page.click('#unpin-2');
-    await page.click('#pin');
-    const { names } = await comparison(page);
-    assert.deepEqual(
-      names.slice(1).map((name) => name.split(' ')[2]),
-      ['3.0,', '7.0,', '5.0,', '6.0,'],
-    );
-    const legend = await page.evaluate(() => document.getElementById('legend')?.innerText);
-    assert.match(String(legend), /your gains 7\.0, 0\.1, 5\.2, J /);
-    assert.deepEqual(await page.problems(), []);
-    assert.deepEqual(await page.obstacles(), []);
-  },
-  { moves: true },
-);
+  }
+  assert.match(await textOf(page, '#pin-note'), /Four drives are pinned: unpin one first/);
+  await page.click('#page-curves');
+  const full = await comparison(page);
+  assert.deepEqual(full.names, [
+    'now: your gains',
+    'your gains 3.0, 0.1, 5.2',
+    'your gains 4.0, 0.1, 5.2',
+    'your gains 5.0, 0.1, 5.2',
+    'your gains 6.0, 0.1, 5.2',
+  ]);
+  const costs = [7, 3, 4, 5, 6].map((kx) => {
+    const [, ky, ktheta] = paperGains('velocity-limits', 'ep');
+    return shown(simulate(velocityLimits, [kx, ky, ktheta]).cost.total);
+  });
+  assert.deepEqual(full.rows.J, costs);
+  await page.click('#unpin-2');
+  await page.click('#pin');
+  const { names } = await comparison(page);
+  assert.deepEqual(
+    names.slice(1).map((name) => name.split(' ')[2]),
+    ['3.0,', '7.0,', '5.0,', '6.0,'],
+  );
+  const legend = await page.evaluate(() => document.getElementById('legend')?.innerText);
+  assert.match(String(legend), /your gains 7\.0, 0\.1, 5\.2, J /);
+  assert.deepEqual(await page.problems(), []);
+  assert.deepEqual(await page.obstacles(), []);
+});
 
 pageTest('a pinned drive can be renamed, but not to nothing', async (page) => {
   await openCurves(page);

@@ -6,34 +6,22 @@ import * as en from '../../../www/parts/training/words/en.js';
 import * as ko from '../../../www/parts/training/words/ko.js';
 import { Key, pageTest } from '../harness/browsers.js';
 
-/** @typedef {import('../harness/browsers.js').Page} Page */
-
-/** Presses the button and waits for what it brings. @param {Page} page @param {{ evolveAgain: string }} words */
-async function evolveAll(page, { evolveAgain }) {
-  await page.evaluate((count) => {
-    const select = /** @type {HTMLSelectElement} */ (document.getElementById('training-generations'));
-    select.value = String(count);
-    select.dispatchEvent(new Event('change'));
-  }, 50);
-  await page.click('#training-evolve');
-  await page.until(
-    'evolution ends',
-    (text) => document.getElementById('training-evolve')?.innerText === text,
-    evolveAgain,
-  );
-}
-
 pageTest(
   'where the reference moves nobody is said to arrive or not, and mean J is compared',
   async (page) => {
     for (const language of ['en', 'ko']) {
-      await page.open(`#training&v=1&lang=${language}&referenceVelocity.linear=0.5`);
+      await page.open(`#training&v=1&lang=${language}&referenceVelocity.linear=0.5&evolve=50&population=4`);
       await page.until('the paper’s rows are there', () =>
         /\d/.test(document.querySelector('#training-paper-ep .training-cost')?.textContent ?? ''),
       );
       const words = language === 'en' ? en : ko;
       assert.equal(await page.text('#training-finding'), words.tracking);
-      await evolveAll(page, words);
+      await page.click('#training-evolve');
+      await page.until(
+        'evolution ends',
+        (text) => document.getElementById('training-evolve')?.innerText === text,
+        words.evolveAgain,
+      );
       const { costs, ...said } = await page.evaluate(() => {
         const textsOf = (/** @type {string} */ selector) =>
           [...document.querySelectorAll(selector)].map((cell) => cell.textContent);
