@@ -69,7 +69,7 @@ test('of a robot that missed it is told how far off it ends, and what its gain a
 
 /** Evolution has come to its end, after one try by hand with three equal gains. @param {Page} page @param {number} value */
 async function evolved(page, value) {
-  await page.setPace(8);
+  await page.setPace(50);
   for (const gain of ['kx', 'ky', 'ktheta']) await slide(page, gain, value);
   await counted(page);
   await page.click('#park-evolve');
@@ -175,7 +175,7 @@ pageTest(
   'a press on a robot says what became of it, keys go on to the next, and the lab shows it',
   async (page) => {
     await page.open('#park');
-    await page.setPace(8);
+    await page.setPace(50);
     for (const [gain, value] of /** @type {const} */ ([
       ['kx', 11.7],
       ['ky', 0.1],

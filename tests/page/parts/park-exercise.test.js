@@ -10,7 +10,7 @@ async function evolvedIn(page, exercise) {
   await page.open(`#lab&v=1&task=Do%20it&aim=J<8;drives<=9000&drives=hand&gains=3,1,5${exercise}`);
   await page.click('#page-park');
   await page.until('Park is open', () => document.getElementById('park-kx')?.checkVisibility());
-  await page.setPace(8);
+  await page.setPace(50);
   await slide(page, 'ky', 3);
   await page.click('#park-evolve');
   await page.until('evolution has come to its end', () => document.getElementById('park-between'));
