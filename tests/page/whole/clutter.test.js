@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { pageTest } from '../harness/browsers.js';
 import { cluttered } from './cluttered.js';
-import { endSurrounding, follow, surround } from './surround.js';
+import { follow, inFrame, resizeFrame } from './surround.js';
 import { views } from './views.js';
 
 /** @typedef {import('./surround.js').Size} Size */
@@ -29,20 +29,17 @@ for (const [search, sizes] of Object.entries(screens))
       if (page.engine !== 'chromium') return;
       /** @type {string[]} */
       const found = [];
-      try {
-        await page.open(`${search}#lab&v=1`);
+      await inFrame(page, `${search}#lab&v=1`, async () => {
         for (const [i, view] of views.entries()) {
           await follow(page, view);
           // Beginning with the size that it has.
           for (const size of i % 2 === 0 ? sizes : [...sizes].reverse()) {
-            await surround(page, size);
+            await resizeFrame(page, size);
             for (const flaw of await page.evaluate(cluttered))
               found.push(`${view}, ${size.join(' × ')}: ${flaw}`);
           }
         }
-      } finally {
-        await endSurrounding(page);
-      }
+      });
       assert.equal(found.join('\n'), '');
     },
   );

@@ -1,4 +1,5 @@
 // The page on another screen, and what is looked at there.
+import { within } from '../harness/host.js';
 import { setScreen, tellChromium } from '../harness/screen.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -24,6 +25,34 @@ export async function surround(page, [width, height], media = {}) {
 
 /** As it was; each test begins with a size of its own. @param {Page} page */
 export const endSurrounding = (page) => setMedia(page, {});
+
+/** The page in a frame, which can be as small as a telephone where a window cannot. @param {Page} page @param {string} fragment @param {() => Promise<void>} body */
+export async function inFrame(page, fragment, body) {
+  await page.visit(page.site.blank);
+  await page.evaluate((src) => {
+    const frame = document.createElement('iframe');
+    Object.assign(frame, { src, width: '1024', height: '768', frameBorder: '0' });
+    // What is in it is measured; to paint it takes longer than that.
+    frame.style.opacity = '0';
+    document.body.append(frame);
+  }, page.site.address + fragment);
+  await within(page, 0, async () => {
+    await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
+    await body();
+  });
+}
+
+/** @param {Page} page @param {Size} size */
+export const resizeFrame = (page, [width, height]) =>
+  page.evaluate(
+    async (wide, high) => {
+      Object.assign(/** @type {object} */ (frameElement), { width: wide, height: high });
+      if (innerWidth !== wide || innerHeight !== high) throw new Error(`${innerWidth} × ${innerHeight}`);
+      await pageFrames.settled();
+    },
+    width,
+    height,
+  );
 
 /** Follows a link without loading the page again. @param {Page} page @param {string} link */
 export const follow = (page, link) =>

@@ -3,11 +3,10 @@ import assert from 'node:assert/strict';
 import { pageNames } from '../../../www/parts/parts.js';
 import { linkOfStep, stepNames } from '../../../www/lesson/path.js';
 import { Key, engineTest, pageTest } from '../harness/browsers.js';
-import { within } from '../harness/host.js';
 import { ko, latinWord, sameInBoth } from '../harness/words.js';
 import { checked, read } from '../harness/reading.js';
 import { linksTo, samples } from '../parts/samples.js';
-import { follow } from '../whole/surround.js';
+import { follow, inFrame } from '../whole/surround.js';
 import { overflowing } from './overflowing.js';
 
 /** @typedef {import('../harness/browsers.js').Page} Page */
@@ -65,22 +64,6 @@ const links = [
   ...linksTo('more').map((link) => `${link}&generation=2`),
   ...stepNames.map((_, i) => linkOfStep(i + 1)),
 ];
-
-/** The page in a frame, which can be as small as a telephone where a window cannot. @param {Page} page @param {string} language @param {() => Promise<void>} body */
-async function inFrame(page, language, body) {
-  await page.visit(page.site.blank);
-  await page.evaluate((src) => {
-    const frame = document.createElement('iframe');
-    Object.assign(frame, { src, width: '1024', height: '768', frameBorder: '0' });
-    // Its texts are read and measured; to paint them takes a sixth of the time.
-    frame.style.opacity = '0';
-    document.body.append(frame);
-  }, `${page.site.address}#lab&v=1&lang=${language}`);
-  await within(page, 0, async () => {
-    await page.until('the page is ready', () => document.documentElement.dataset.ready === 'true');
-    await body();
-  });
-}
 
 /** Follows a link of the page, which does not load it again. @param {Page} page @param {string} link @param {string} language */
 async function followIn(page, link, language) {
@@ -233,7 +216,7 @@ for (const [language, name] of Object.entries({
   ko: 'every part and every step is Korean with lang=ko, and the strictest policy refuses nothing; 40 % longer its words find their place on every screen',
 }))
   pageTest(name, async (page) => {
-    await inFrame(page, language, async () => {
+    await inFrame(page, `#lab&v=1&lang=${language}`, async () => {
       /** @type {string[]} */
       const problems = [];
       const look = async (/** @type {string} */ where) => {
