@@ -5,6 +5,7 @@ import { pageNames, parts } from '../../../www/parts/parts.js';
 import { engineTest, pageTest } from '../harness/browsers.js';
 import { frameOf, inHost, inNextFrame, within } from '../harness/host.js';
 import { samples } from '../parts/samples.js';
+import { follow } from '../whole/surround.js';
 
 /** The picture of a part, and what one presses first. @param {string} name */
 const essentialsOf = (name) =>
@@ -116,9 +117,10 @@ for (const [[width, height], language, names, declare] of /** @type {const} */ (
   );
 
 pageTest('nothing in a figure is in the way of assistive technology', async (page) => {
+  await page.resize(640, 420);
+  await page.open('?embed#luck');
   for (const link of [...pageNames.map((name) => `${name}&v=1`), 'lesson&step=2']) {
-    await page.open(`?embed#${link}`);
-    await page.resize(640, 420);
+    await follow(page, link);
     if (link.startsWith('disturbance'))
       await page.until('the errors are known', () => document.getElementById('remains-caption')?.textContent);
     assert.deepEqual(await page.obstacles(), [], link);

@@ -49,13 +49,13 @@ for (const link of ['lab', 'lab&v=1&lang=ko', 'lab&v=1&preset=acceleration-limit
   );
 
 pageTest('on a large screen the plane has the height that is there', async (page) => {
-  for (const [width, height] of /** @type {const} */ ([
-    [2560, 1440],
-    [3840, 2160],
-  ])) {
-    await page.resize(width, height);
-    for (const part of ['lab', 'generation', 'landscape']) {
-      await page.open(`#${part}`);
+  for (const part of ['lab', 'generation', 'landscape']) {
+    await page.open(`#${part}`);
+    for (const [width, height] of /** @type {const} */ ([
+      [2560, 1440],
+      [3840, 2160],
+    ])) {
+      await page.resize(width, height);
       assert.deepEqual(await excess(page), [0, 0], `${part} at ${width} × ${height}`);
       const below = await page.evaluate(
         () => innerHeight - Number(document.getElementById('plane')?.getBoundingClientRect().bottom),
@@ -99,10 +99,10 @@ pageTest('on a tablet held upright what is pressed stays under the finger, whoev
         return element?.checkVisibility() ? [`${id} ${Math.round(element.getBoundingClientRect().top)}`] : [];
       }),
     );
-  for (const [width, height] of tablets) {
-    await page.resize(width, height);
-    for (const part of ['lab', 'landscape', 'robustness']) {
-      await page.open(`#${part}`);
+  for (const part of ['lab', 'landscape', 'robustness']) {
+    await page.open(`#${part}`);
+    for (const [width, height] of tablets) {
+      await page.resize(width, height);
       await excess(page);
       const before = await tops();
       assert.ok(before.length >= 2, `${before}`);

@@ -87,21 +87,22 @@ function assertSame(now, before, when) {
 }
 
 pageTest('who drives is chosen anew at the same place, whatever opens above it', async (page) => {
-  for (const link of ['lab', 'curves', 'landscape', 'robustness', 'disturbance&under=random,0.1,0.1,7'])
+  const choices = '#drives label';
+  for (const link of ['lab', 'curves', 'landscape', 'robustness', 'disturbance&under=random,0.1,0.1,7']) {
+    await page.open(`#${link}&v=1&generation=2`);
+    await page.click('#drives-evolved');
     for (const [width, height] of /** @type {const} */ ([
       [1440, 900],
       [1024, 768],
     ])) {
       await page.resize(width, height);
-      await page.open(`#${link}&v=1&generation=2`);
-      await page.click('#drives-evolved');
-      const choices = '#drives label';
       const before = await placesOf(page, choices);
       for (const driver of ['hand', 'paper-ep', 'paper-arbitrary', 'evolved']) {
         await page.click(`#drives-${driver}`);
         assertSame(await placesOf(page, choices), before, `${link}, ${width}, ${driver}`);
       }
     }
+  }
 });
 
 pageTest('the keys go from the gains to who drives as they are seen', async (page) => {
