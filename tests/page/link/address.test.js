@@ -132,6 +132,9 @@ pageTest(
 
 pageTest('what was set before something that never began is in the address', async (page) => {
   await page.open('#lab&v=1&population=1200&gains=3,0.1,5');
+  await page.click('#drives-paper-ep');
+  // What is pressed from now on, the address waits for anew.
+  await page.until('the address is written', () => location.hash.includes('drives=paper-ep'));
   await holdWorkers(page);
   await page.evaluate(async () => {
     const { setTimeout } = window;
