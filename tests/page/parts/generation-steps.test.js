@@ -52,9 +52,13 @@ pageTest('one of them is chosen by a press, by keys, and by name', async (page) 
     assert.equal((await shownOn(page)).chosen, nameOf(order[place]), key);
   }
   await go(page, 'tournament');
+  await page.focus('#generation-picture');
+  // Each parent stands before its offspring.
+  await page.press(Key.HOME, Key.ARROW_RIGHT);
+  assert.equal((await shownOn(page)).chosen, nameOf(count));
   const links = await page.elements('#generation-details .bouts button');
   await links[0].click();
-  assert.equal((await shownOn(page)).chosen, nameOf(record.opponents[order[last]][0]));
+  assert.equal((await shownOn(page)).chosen, nameOf(record.opponents[count][0]));
 });
 
 pageTest('a survivor that is worse than one that fell is pointed out', async (page) => {
