@@ -205,12 +205,6 @@ export class Page {
     await this.driver.execute(new Command(Name.ACTIONS).setParameter('actions', [sequence]));
   }
 
-  /** @param {string} selector */
-  async doubleClick(selector) {
-    const element = await this.element(selector);
-    await this.driver.actions().doubleClick(element).perform();
-  }
-
   /**
    * Presses keys one after the other; where they go is decided by the focus, as for a person.
    * @param {...string} keys characters, or names such as Key.TAB
