@@ -8,8 +8,6 @@ import { holdWorkers } from '../harness/workers.js';
 import { link, openContest, readTable, runContest, withoutVerdict } from './contest-page.js';
 import { expectedTable, small } from './contests.js';
 
-/** @typedef {import('../harness/browsers.js').Page} Page */
-
 pageTest(
   'the table of the contest is what the core’s trials say, and so is the CSV of all runs',
   async (page) => {
