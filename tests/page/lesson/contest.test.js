@@ -161,24 +161,23 @@ pageTest(
       };
     });
     await page.click('.try[data-try="remedies"]');
-    const names = await page.until('it has run', () => {
+    const over = await page.until('it has run, and names its curves', () => {
+      const now = /** @type {any} */ (window).over;
       const rows = [
         .../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('#contest-table tbody')),
       ];
+      const names = rows.map((row) => row.querySelector('[scope="row"]')?.textContent?.trim() ?? '');
       return (
         document.getElementById('contest-csv')?.hidden === false &&
         rows.map(({ dataset }) => dataset.contestant).join() === 'lab,cma-es-7,cma-es-7-mirror,cma-es' &&
-        rows.map((row) => row.querySelector('[scope="row"]')?.textContent?.trim() ?? '')
+        names.every((name) => now.has(name)) &&
+        names.map((name) => now.get(name))
       );
     });
     assert.equal(await page.text('#contest-status'), '');
     assert.match(
       await page.evaluate(() => location.hash),
       /contestants=cma-es-7,cma-es-7-mirror,cma-es.*lesson=contest/,
-    );
-    const over = await page.evaluate(
-      (all) => all.map((name) => /** @type {any} */ (window).over.get(name)),
-      names,
     );
     for (const one of over) assert.ok(one <= 0, `${over}`);
     assert.deepEqual(await page.problems(), []);
