@@ -12,7 +12,8 @@ test(
   options,
   () => {
     const [cost] = core.evaluate({}, [3, 0.1, 5]);
-    const ofNumpy = (/** @type {string} */ expression) => `None if numpy is None else ${expression}`;
+    const absent = 'no numpy';
+    const ofNumpy = (/** @type {string} */ expression) => `'${absent}' if numpy is None else ${expression}`;
     const records = "numpy.array([(5, 3, 0.1)] * 4, dtype=[('ktheta', float), ('kx', float), ('ky', float)])";
     const axes =
       "'x': {'gain': 'kx', 'from': 3, 'to': 3, 'count': 1}, 'y': {'gain': 'ky', 'from': 0.1, 'to': 0.1, 'count': 1}";
@@ -41,8 +42,7 @@ test(
     ].map((given) => `ep.Task({'starts': ${given}}).experiment['starts']`);
     starts.push(ofNumpy(String(starts.pop())));
     const values = valuesFrom([...costs, ...starts].map((expression) => ({ expression })));
-    // None where there is no numpy.
-    const told = (/** @type {unknown[]} */ some) => some.filter((value) => value !== null);
+    const told = (/** @type {unknown[]} */ some) => some.filter((value) => value !== absent);
     for (const value of told(values.slice(0, costs.length))) assert.equal(value, cost);
     for (const value of told(values.slice(costs.length))) assert.deepEqual(value, [{ x: 1, y: 2, theta: 3 }]);
   },
