@@ -234,5 +234,6 @@ pageTest(
       await page.click(`[data-try="${item}"]`);
       await page.until(item, (wanted) => document.body.dataset.sight === wanted, chosen);
     }
+    assert.deepEqual(await page.problems(), []);
   },
 );
