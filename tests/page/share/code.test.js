@@ -120,7 +120,7 @@ const names = /** @type {import('../../../www/share/code/languages.js').Language
 );
 
 for (const language of names)
-  test(`run as its head says, the program in ${language} parks and prints its numbers beside the page's`, {
+  test(`run as its head says, the program in ${language} prints its numbers beside the page's`, {
     skip: !runners[language].program && `there is no program for ${language}`,
   }, async () => {
     // J of the second has 21 digits.
