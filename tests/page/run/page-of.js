@@ -16,13 +16,14 @@ export function pageOf(link, clock = atRest) {
   const means = { engine, store, paper: engine.paper(), ...clock, places };
   const actions = createActions(means);
   // On a slow machine a run comes only a part of its way at once.
-  const { evolve, undo, redo, backToExercise } = actions;
-  const goOn = () => evolve(() => store.get().catchingUp !== null);
-  Object.assign(actions, {
-    undo: () => [undo(), goOn()],
-    redo: () => [redo(), goOn()],
-    backToExercise: () => [backToExercise(), goOn()],
-  });
+  const goOn = () => actions.evolve(() => store.get().catchingUp !== null);
+  for (const name of /** @type {const} */ (['undo', 'redo', 'backToExercise'])) {
+    const act = actions[name];
+    actions[name] = () => {
+      act();
+      goOn();
+    };
+  }
   const open = (/** @type {string} */ text) => {
     const { opened, problems } = links.openLink(text, engine);
     actions.openLinked(opened, problems);
